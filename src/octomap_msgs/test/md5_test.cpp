@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Other packages were built against the published messages: they talk to ours only while the MD5 sums agree.
+// Whoever was built against the published messages talks to ours only while the MD5 sums agree.
 #include <gtest/gtest.h>
 #include <octomap_msgs/BoundingBoxQuery.h>
 #include <octomap_msgs/GetOctomap.h>
