@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/pose.hpp"
+
+#include <cmath>
+
+namespace portolan {
+
+Pose planar_pose(double x, double y, double yaw) {
+  return Eigen::Translation3d(x, y, 0.0) * Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
+}
+
+double yaw(const Pose& pose) { return std::atan2(pose(1, 0), pose(0, 0)); }
+
+Pose interpolate(const Pose& a, const Pose& b, double fraction) {
+  const Eigen::Quaterniond q_a(a.linear());
+  const Eigen::Quaterniond q_b(b.linear());
+  Pose between = Pose::Identity();
+  between.linear() = q_a.slerp(fraction, q_b).toRotationMatrix();
+  between.translation() = a.translation() + fraction * (b.translation() - a.translation());
+  return between;
+}
+
+bool is_valid(const Pose& pose) {
+  const Eigen::Matrix3d& R = pose.linear();
+  return pose.matrix().allFinite() && R.isUnitary(1e-6) && R.determinant() > 0.0;
+}
+
+double rotation_angle(const Pose& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }
+
+double wrap_angle(double angle) {
+  const double wrapped = std::remainder(angle, 2.0 * M_PI);
+  return wrapped > -M_PI ? wrapped : wrapped + 2.0 * M_PI;
+}
+
+}  // namespace portolan
