@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "portolan_ros/clock_guard.hpp"
+#include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/sensed.hpp"
+
+namespace portolan {
+
+/// From messages to a map, for one kind of map: tf, the inputs, the log and the mapper.
+/// It knows no ROS graph and asks no clock, so a live node and a bag go the same way.
+template <class Kind>
+class Pipeline {
+ public:
+  using Mapper = typename Kind::Mapper;
+  using Observation = typename Mapper::Observation;
+
+  /// Throws OptionsError.
+  Pipeline(const PipelineOptions& options, const typename Mapper::Options& mapper_options)
+      : options_(options), posed_(options.posing), remapper_(options.remapper, mapper_options) {}
+
+  /// Opens an input; gives its number.
+  std::size_t add_input(const std::string& noun) { return posed_.add_input(noun); }
+
+  /// Takes a message of an input: `sensed` is what it was converted to, none if malformed.
+  template <class SensorReading>
+  void receive(std::size_t input, std::optional<Sensed<SensorReading>> sensed, Time now);
+
+  void receive_tf(const tf2_msgs::TFMessage& message, bool is_static, Time now) {
+    posed_.receive_tf(message, is_static, now);
+    if (posed_.transforms_ran_back()) forget_for_time_jump();
+    poll(now);
+  }
+
+  void receive_odometry(const nav_msgs::Odometry& message, Time now) {
+    posed_.receive_odometry(message, options_.base_frame, now);
+    if (posed_.transforms_ran_back()) forget_for_time_jump();
+    poll(now);
+  }
+
+  /// To be called before each message and now and then: notices a clock that ran back, and uses
+  /// or drops what waits for tf.
+  void poll(Time now) {
+    if (clock_.ran_back(now)) {
+      posed_.clear();
+      forget_for_time_jump();
+    }
+    posed_.poll(now);
+  }
+
+  Remapper<Mapper>& remapper() { return remapper_; }
+  const Remapper<Mapper>& remapper() const { return remapper_; }
+  const PosedInput& posed() const { return posed_; }
+  std::size_t time_jumps() const { return time_jumps_; }
+
+ private:
+  void forget_for_time_jump() {
+    ++time_jumps_;
+    if (options_.on_time_jump == OnTimeJump::reset) {
+      remapper_.reset();
+    } else {
+      remapper_.freeze();
+    }
+  }
+
+  SensorId sensor_id(std::size_t input, const std::string& frame) {
+    const auto next = static_cast<SensorId>(sensors_.size());
+    return sensors_.try_emplace({input, frame}, next).first->second;
+  }
+
+  PipelineOptions options_;
+  PosedInput posed_;
+  Remapper<Mapper> remapper_;
+  ClockGuard clock_{seconds(0.1)};
+  std::map<std::pair<std::size_t, std::string>, SensorId> sensors_;
+  std::size_t time_jumps_ = 0;
+};
+
+namespace pipeline_detail {
+
+template <class T, class = void>
+struct HasMotion : std::false_type {};
+template <class T>
+struct HasMotion<T, std::void_t<decltype(std::declval<T&>().T_first_last)>> : std::true_type {};
+
+}  // namespace pipeline_detail
+
+template <class Kind>
+template <class SensorReading>
+void Pipeline<Kind>::receive(std::size_t input, std::optional<Sensed<SensorReading>> sensed,
+                             Time now) {
+  poll(now);
+  if (!sensed) return posed_.receive_malformed(input);
+  const SensorId sensor = sensor_id(input, sensed->frame);
+  PosedInput::Message message{sensed->frame, sensed->first, sensed->last, {}};
+  message.use = [this, sensor, stamp = sensed->first,
+                 z = std::move(sensed->z)](const PosedInput::SensorPose& pose) mutable {
+    if constexpr (pipeline_detail::HasMotion<SensorReading>::value) {
+      z.T_first_last = pose.T_first_last;
+    }
+    return remapper_.observe(stamp, pose.T_odom_sensor, Observation(std::move(z)), sensor);
+  };
+  posed_.receive(input, std::move(message), now);
+}
+
+}  // namespace portolan

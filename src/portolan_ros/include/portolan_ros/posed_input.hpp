@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "portolan/options.hpp"
+#include "portolan/outcome.hpp"
+#include "portolan/pose.hpp"
+#include "portolan/time.hpp"
+#include "portolan_ros/clock_guard.hpp"
+#include "portolan_ros/health.hpp"
+
+namespace portolan {
+
+/// How sensor messages are given their pose.
+struct PosedInputOptions {
+  std::string odom_frame = "odom";
+  double tf_wait = 1.0;
+  double tf_buffer = 30.0;
+  int queue_size = 200;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("odom_frame", self.odom_frame,
+          "frame in which sensors are posed; set it to the map frame where the robot has a "
+          "localiser of its own");
+    visit("tf_wait", self.tf_wait, "how long a message waits for its transform [s]",
+          within(0.0, 60.0));
+    visit("tf_buffer", self.tf_buffer, "how much of tf is remembered [s]", within(1.0, 3600.0));
+    visit("queue_size", self.queue_size, "messages that may wait for their transform",
+          within(1, 100000));
+  }
+};
+
+/// Tells where the sensor was for each message: messages wait here until tf knows, and are
+/// dropped with a reason where it does not say in time. Never is anything posed by guess.
+///
+/// Knows no ROS graph and no clock: whoever owns it hands in messages and the time, so it works
+/// the same on a live robot and over a bag.
+class PosedInput {
+ public:
+  /// Where the sensor was when its measurement began, and how it moved until the end of it.
+  struct SensorPose {
+    Pose T_odom_sensor;
+    Pose T_first_last;
+  };
+  /// Called with the pose once it is known. None: thinned.
+  using Use = std::function<std::optional<Outcome>(const SensorPose&)>;
+
+  struct Message {
+    std::string frame;
+    Time first;
+    Time last;
+    Use use;
+  };
+
+  explicit PosedInput(const PosedInputOptions& options);
+
+  /// Opens an input whose messages are called by `noun`; the number names it from then on.
+  std::size_t add_input(std::string noun);
+
+  /// A message that could not be converted.
+  void receive_malformed(std::size_t input);
+
+  /// A message: it is used at once where tf is there, else by `poll`, later.
+  void receive(std::size_t input, Message message, Time now);
+
+  /// Takes transforms. Malformed ones, and stamps over an hour ahead, are counted and left out.
+  /// Where their stamps run back by more than is remembered, as when a bag loops without a clock,
+  /// it starts to remember anew.
+  void receive_tf(const tf2_msgs::TFMessage& message, bool is_static, Time now);
+
+  /// Takes odometry as a transform, for robots that send no tf. Empty frames are filled in.
+  void receive_odometry(const nav_msgs::Odometry& message, const std::string& base_frame, Time now);
+
+  /// Uses what can be posed now, oldest first, and drops what has waited too long.
+  void poll(Time now);
+
+  /// True once after stamps of transforms ran back.
+  bool transforms_ran_back();
+
+  /// Forgets the transforms that move, and what waits for them; static ones stay.
+  void clear();
+
+  const std::vector<Tally>& tallies() const { return tallies_; }
+  std::size_t bad_transforms() const { return bad_transforms_; }
+  const tf2::BufferCore& tf() const { return tf_; }
+
+ private:
+  struct Waiting {
+    std::size_t input;
+    Message message;
+    Time since;
+  };
+
+  void note_time_of(const geometry_msgs::TransformStamped& transform);
+  bool is_repeated(std::size_t input, const Message& message);
+  bool try_to_use(Waiting& waiting);
+  std::optional<Pose> look_up(const std::string& frame, Time stamp) const;
+  std::string why_not(const Message& message) const;
+  void make_room();
+
+  PosedInputOptions options_;
+  tf2::BufferCore tf_;
+  ClockGuard tf_clock_;
+  bool tf_ran_back_ = false;
+  std::vector<Tally> tallies_;
+  std::map<std::pair<std::size_t, std::string>, Time> newest_;  // by input and frame
+  std::deque<Waiting> waiting_;                                 // by stamp, then by arrival
+  std::size_t bad_transforms_ = 0;
+};
+
+}  // namespace portolan

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan_ros/convert/correction.hpp"
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "portolan_ros/convert/basics.hpp"
+
+namespace portolan::ros_convert {
+
+Correction correction(const portolan_msgs::DriftCorrection& message) {
+  if (message.stamps.size() != message.poses.size()) {
+    throw std::invalid_argument("a correction needs as many poses as stamps");
+  }
+  std::vector<Correction::Knot> knots;
+  knots.reserve(message.stamps.size());
+  for (std::size_t i = 0; i < message.stamps.size(); ++i) {
+    knots.push_back({time(message.stamps[i]), pose(message.poses[i])});
+  }
+  return Correction(std::move(knots));
+}
+
+portolan_msgs::DriftCorrection correction(const Correction& correction,
+                                          const std::string& map_frame,
+                                          const std::string& odom_frame) {
+  portolan_msgs::DriftCorrection message;
+  message.header.frame_id = map_frame;
+  message.child_frame_id = odom_frame;
+  for (const Correction::Knot& knot : correction.knots()) {
+    message.stamps.push_back(time(knot.stamp));
+    message.poses.push_back(pose(knot.T_map_odom));
+  }
+  return message;
+}
+
+}  // namespace portolan::ros_convert

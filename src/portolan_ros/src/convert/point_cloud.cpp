@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan_ros/convert/point_cloud.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include "portolan_ros/convert/basics.hpp"
+
+namespace portolan::ros_convert {
+
+namespace {
+
+using sensor_msgs::PointCloud2;
+using sensor_msgs::PointField;
+
+/// Reads one coordinate of a point, whatever its width and byte order.
+struct Coordinate {
+  std::uint32_t offset;
+  bool is_double;
+  bool is_swapped;
+
+  template <class T>
+  T load(const std::uint8_t* bytes) const {
+    std::array<std::uint8_t, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes, sizeof(T));
+    if (is_swapped) std::reverse(raw.begin(), raw.end());
+    T value;
+    std::memcpy(&value, raw.data(), sizeof(T));
+    return value;
+  }
+
+  float operator()(const std::uint8_t* point) const {
+    return is_double ? static_cast<float>(load<double>(point + offset))
+                     : load<float>(point + offset);
+  }
+};
+
+bool host_is_big_endian() {
+  const std::uint16_t one = 1;
+  std::uint8_t first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
+}
+
+std::optional<Coordinate> coordinate(const PointCloud2& message, const std::string& name) {
+  for (const PointField& field : message.fields) {
+    if (field.name != name) continue;
+    const bool is_double = field.datatype == PointField::FLOAT64;
+    if (!is_double && field.datatype != PointField::FLOAT32) return std::nullopt;
+    const std::uint64_t end = std::uint64_t{field.offset} + (is_double ? 8 : 4);
+    if (end > message.point_step) return std::nullopt;
+    return Coordinate{field.offset, is_double, message.is_bigendian != host_is_big_endian()};
+  }
+  return std::nullopt;
+}
+
+bool sizes_fit(const PointCloud2& message) {
+  const std::uint64_t row = std::uint64_t{message.width} * message.point_step;
+  if (message.width == 0 || message.height == 0) return true;
+  return message.point_step > 0 && row <= message.row_step &&
+         std::uint64_t{message.row_step} * (message.height - 1) + row <= message.data.size();
+}
+
+}  // namespace
+
+std::optional<Sensed<PointCloud>> point_cloud(const PointCloud2& message) {
+  const auto x = coordinate(message, "x");
+  const auto y = coordinate(message, "y");
+  const auto z = coordinate(message, "z");
+  if (!x || !y || !z || !sizes_fit(message)) return std::nullopt;
+  PointCloud cloud;
+  cloud.points.reserve(std::size_t{message.width} * message.height);
+  for (std::size_t row = 0; row < message.height; ++row) {
+    const std::uint8_t* point = message.data.data() + row * message.row_step;
+    for (std::size_t column = 0; column < message.width; ++column, point += message.point_step) {
+      const Eigen::Vector3f p((*x)(point), (*y)(point), (*z)(point));
+      if (p.allFinite()) cloud.points.push_back(p);
+    }
+  }
+  const Time stamp = time(message.header.stamp);
+  return Sensed<PointCloud>{message.header.frame_id, stamp, stamp, std::move(cloud)};
+}
+
+}  // namespace portolan::ros_convert
