@@ -69,9 +69,13 @@ class Remapper {
   /// The map: while it is redrawn, the one before, with what has come since at its new pose.
   const Mapper& map() const { return map_; }
 
+  /// Counts the times that another map took the place of the one before: redrawn, reset, loaded.
+  std::size_t generation() const { return generation_; }
+
   const Correction& correction() const { return correction_; }
 
-  /// Starts from this map instead of an empty one; what was observed before is forgotten.
+  /// Starts from this map instead of an empty one; what was observed before is forgotten, the
+  /// correction is not.
   void restart_from(Mapper map);
 
   /// Starts from an empty map; the correction is forgotten too.
@@ -114,6 +118,7 @@ class Remapper {
   std::deque<Entry> log_;
   std::size_t log_bytes_ = 0;
   std::size_t frozen_ = 0;
+  std::size_t generation_ = 0;
   Mapper map_;
   std::optional<Redraw> redraw_;
 };
@@ -152,6 +157,7 @@ bool Remapper<Mapper>::replay(Predicate while_time_is_left) {
   do {
     if (redraw_->next == log_.size()) {
       map_ = std::move(redraw_->map);
+      ++generation_;
       redraw_.reset();
       return true;
     }
@@ -169,14 +175,18 @@ double Remapper<Mapper>::progress() const {
 
 template <class Mapper>
 void Remapper<Mapper>::restart_from(Mapper map) {
-  *this = Remapper(options_, mapper_options_);
+  Correction correction = std::move(correction_);
+  reset();
+  correction_ = std::move(correction);
   map_ = map;
   base_ = std::move(map);
 }
 
 template <class Mapper>
 void Remapper<Mapper>::reset() {
+  const std::size_t generation = generation_ + 1;
   *this = Remapper(options_, mapper_options_);
+  generation_ = generation;
 }
 
 template <class Mapper>
