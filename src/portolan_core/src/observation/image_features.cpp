@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/observation/image_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace portolan {
+
+bool is_usable(const ImageFeature& feature) {
+  return std::isfinite(feature.u) && std::isfinite(feature.v);
+}
+
+bool is_usable(const ImageFeatures& z) {
+  return is_usable(z.camera) &&
+         std::all_of(z.features.begin(), z.features.end(),
+                     [](const ImageFeature& feature) { return is_usable(feature); });
+}
+
+}  // namespace portolan
