@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "portolan/grid/footprint.hpp"
+#include "portolan/grid/grid_options.hpp"
+#include "portolan/observation/point_cloud.hpp"
+#include "portolan/observation/range_echo.hpp"
+#include "portolan/observation/range_scan.hpp"
+#include "portolan/outcome.hpp"
+#include "portolan/pose.hpp"
+
+namespace portolan {
+
+// The inverse sensor models: each draws what one observation says into an open footprint, and says
+// whether it may be put into the map. The pose must be valid.
+
+/// A planar scan. Sector model: free is the polygon from the sensor along its echoes (drawn back by
+/// the margin), so that each beam stands for the angular step about it, with the range running
+/// straight to that of its neighbour; where a neighbour is silent or more than 90 degrees away, the
+/// beam's own range holds up to half a step. Ray model: free are the cells under each beam.
+/// Occupied are the echoes' cells and, with a margin, those whose centres lie within it of the echo
+/// in range and half a step in angle. Beams that free less than 1/32 cell free nothing.
+Outcome draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options,
+             Footprint& footprint);
+
+/// An echo within a cone: R_f, R_o and R_u of the chapter, cells judged by their centres.
+Outcome draw(const RangeEcho& echo, const Pose& T_map_sensor, const GridOptions& options,
+             Footprint& footprint);
+
+/// A cloud: each ray frees the cells under its part inside the height band, thin, and occupies the
+/// cell of its end where that lies in the band.
+Outcome draw(const PointCloud& cloud, const Pose& T_map_sensor, const GridOptions& options,
+             Footprint& footprint);
+
+}  // namespace portolan

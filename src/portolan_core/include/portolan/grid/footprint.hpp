@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "portolan/grid/cell.hpp"
+#include "portolan/grid/tile_map.hpp"
+
+namespace portolan {
+
+/// A point of the plane in 1/1024 of a cell's side, counted from an anchor.
+struct FinePoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+};
+
+/// The cells that one observation frees and those that it occupies, as bits; drawn here first, then
+/// put into a map, so that each cell is updated at most once and occupied wins over free.
+///
+/// Geometry is rounded to 1/1024 of a cell once; from there on all is decided in exact integers: a
+/// cell is in a polygon when its centre is, by the even-odd rule, where a centre on a left or lower
+/// edge is in and on a right or upper one is not.
+class Footprint {
+ public:
+  static constexpr int kFineLog2 = 10;
+  static constexpr int kFine = 1 << kFineLog2;
+
+  /// The anchor that all points are counted from, in 1/1024 of a cell from the map's origin.
+  struct Anchor {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+  };
+
+  /// Starts an empty footprint whose points lie in [min, max]. False, and nothing is started, where
+  /// that is larger than any sensor's reach.
+  bool open(Anchor anchor, FinePoint min, FinePoint max);
+
+  /// An edge of the outline of the free region. The edges of all closed outlines together decide by
+  /// the even-odd rule.
+  void outline(FinePoint a, FinePoint b) { toggle(a, b); }
+
+  /// Frees a polygon whatever it overlaps. Not between `outline`s.
+  void fill(const FinePoint* corners, int count) { fill(free_, corners, count); }
+
+  /// Occupies a polygon. Not between `outline`s.
+  void fill_occupied(const FinePoint* corners, int count) { fill(occupied_, corners, count); }
+
+  /// Frees the cells under a thin line: of every row that it crosses steeply, or of every column
+  /// that it crosses otherwise, the cell that holds the line at the middle of that row or column.
+  void ray(FinePoint a, FinePoint b);
+
+  /// Occupies the cell that holds the point.
+  void occupy(FinePoint p);
+
+  /// Of the triangle (anchor, b, c): frees the cells nearer to the anchor than `free`, occupies
+  /// those from there to `occupied`, in 1/1024 of a cell. The triangle's corners must lie so far
+  /// out that the disc decides there. Not between `outline`s.
+  void cone(FinePoint b, FinePoint c, std::int64_t free, std::int64_t occupied);
+
+  /// Puts the footprint into a map, whose tiles get this revision; the footprint is empty then.
+  /// Returns the cells that it covers at most.
+  CellRect apply(TileMap& map, const CellUpdate& update, std::uint64_t revision);
+
+ private:
+  using Word = std::uint64_t;
+  struct Span {
+    int begin = 1 << 30;
+    int end = -(1 << 30);
+  };
+
+  FinePoint in_window(FinePoint p) const { return {p.x + shift_.x, p.y + shift_.y}; }
+  Word& word(std::vector<Word>& plane, int column, int row) {
+    return plane[static_cast<std::size_t>((column >> 6) * rows_ + row)];
+  }
+  void toggle_from(int column, int row) {
+    word(toggled_, column, row) ^= ~Word{0} << (column & 63);
+  }
+  void toggle(FinePoint a, FinePoint b);
+  void fill(std::vector<Word>& into, const FinePoint* corners, int count);
+  void toggle_disc(std::int64_t radius);
+  void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
+  void apply_tile(TileMap& map, int strip, int first_row, const CellUpdate& update,
+                  std::uint64_t revision);
+
+  CellRect covered_;  // in the map
+  Cell tile_;         // index of the window's lowest tile
+  FinePoint shift_;   // from the anchor to the window's corner
+  int strips_ = 0;    // width of the window in words
+  int rows_ = 0;      // height of the window in cells, whole tiles
+  // Planes of bits: strips of 64 columns, each with its rows one after the other.
+  std::vector<Word> toggled_;  // is the number of edges left of the cell odd?
+  std::vector<Word> free_;
+  std::vector<Word> occupied_;
+  std::vector<Word> carry_;  // by row: the parity left of the strip
+  std::vector<Span> spans_;  // by row: of the cone
+};
+
+}  // namespace portolan
