@@ -7,13 +7,13 @@
 namespace portolan {
 
 bool is_usable(const BeaconRange& range) {
-  return std::isfinite(range.range) && range.range >= 0.0 && std::isfinite(range.stddev) &&
+  return std::isfinite(range.range) && range.range > 0.0 && std::isfinite(range.stddev) &&
          range.stddev >= 0.0;
 }
 
-bool is_usable(const BeaconRanges& z) {
-  return std::all_of(z.ranges.begin(), z.ranges.end(),
-                     [](const BeaconRange& range) { return is_usable(range); });
+bool is_usable(const BeaconRanges& ranges) {
+  const auto usable = [](const BeaconRange& range) { return is_usable(range); };
+  return ranges.ranges.empty() || std::any_of(ranges.ranges.begin(), ranges.ranges.end(), usable);
 }
 
 }  // namespace portolan

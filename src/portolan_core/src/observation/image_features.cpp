@@ -11,9 +11,9 @@ bool is_usable(const ImageFeature& feature) {
 }
 
 bool is_usable(const ImageFeatures& z) {
+  const auto usable = [](const ImageFeature& feature) { return is_usable(feature); };
   return is_usable(z.camera) &&
-         std::all_of(z.features.begin(), z.features.end(),
-                     [](const ImageFeature& feature) { return is_usable(feature); });
+         (z.features.empty() || std::any_of(z.features.begin(), z.features.end(), usable));
 }
 
 }  // namespace portolan

@@ -21,7 +21,8 @@ bool is_usable(const LandmarkSighting& sighting) {
 }
 
 bool is_usable(const LandmarkSightings& z) {
-  return std::all_of(z.sightings.begin(), z.sightings.end(),
+  return z.sightings.empty() ||
+         std::any_of(z.sightings.begin(), z.sightings.end(),
                      [](const LandmarkSighting& sighting) { return is_usable(sighting); });
 }
 

@@ -13,8 +13,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(BeaconRange, NumbersThatCannotBeAreRefused) {
   EXPECT_TRUE(is_usable(BeaconRange{1, 3.0, 0.0}));
-  EXPECT_TRUE(is_usable(BeaconRange{1, 0.0, 0.1}));
-  for (const double range : {-0.1, kNan, kInfinity}) {
+  EXPECT_TRUE(is_usable(BeaconRange{1, 0.5, 0.1}));
+  for (const double range : {0.0, -0.1, kNan, kInfinity}) {
     EXPECT_FALSE(is_usable(BeaconRange{1, range, 0.1})) << range;
   }
   for (const double stddev : {-0.1, kNan, kInfinity}) {
@@ -22,10 +22,12 @@ TEST(BeaconRange, NumbersThatCannotBeAreRefused) {
   }
 }
 
-TEST(BeaconRanges, AreUsableWhereEachIs) {
+TEST(BeaconRanges, AreUsableUnlessAllAreMalformed) {
   BeaconRanges z;
   EXPECT_TRUE(is_usable(z));
   z.ranges = {{1, 2.0, 0.0}, {2, kNan, 0.0}};
+  EXPECT_TRUE(is_usable(z));
+  z.ranges = {{1, -2.0, 0.0}, {2, kNan, 0.0}};
   EXPECT_FALSE(is_usable(z));
 }
 

@@ -23,10 +23,12 @@ TEST(ImageFeatures, NeedACameraThatDraws) {
   EXPECT_FALSE(is_usable(lost));
 }
 
-TEST(ImageFeatures, AreUsableWhereEachPixelIsANumber) {
+TEST(ImageFeatures, AreUsableUnlessAllAreMalformed) {
   ImageFeatures z{kCamera, {{1, 10.0, 20.0}, {ImageFeature::kUnknown, -3.0, 20.5}}};
   EXPECT_TRUE(is_usable(z));
   z.features[0].v = kNan;
+  EXPECT_TRUE(is_usable(z));
+  z.features[1].u = kNan;
   EXPECT_FALSE(is_usable(z));
 }
 

@@ -36,12 +36,14 @@ TEST(LandmarkSighting, NumbersThatCannotBeAreRefused) {
   EXPECT_FALSE(is_usable(sighting));
 }
 
-TEST(LandmarkSightings, AreUsableWhereEachIsAlsoWhereNoneWasSeen) {
+TEST(LandmarkSightings, AreUsableUnlessAllAreMalformed) {
   LandmarkSightings z;
   EXPECT_TRUE(is_usable(z));
   z.sightings.resize(2);
   EXPECT_TRUE(is_usable(z));
   z.sightings[1].azimuth = kNan;
+  EXPECT_TRUE(is_usable(z));
+  z.sightings[0].azimuth = kNan;
   EXPECT_FALSE(is_usable(z));
 }
 

@@ -7,27 +7,28 @@
 
 namespace portolan {
 
-/// One distance measured to one beacon, which says who it is.
+/// One distance measured to one identified beacon (radio, ultrasonic, UWB).
 struct BeaconRange {
-  std::uint32_t id = 0;
-  double range = 0.0;   ///< from the antenna, the origin of the sensor's frame [m]
-  double stddev = 0.0;  ///< one sigma; 0: unknown [m]
+  std::uint32_t id = 0;  ///< identity that the beacon transmits
+  double range = 0.0;    ///< from the antenna, the origin of the sensor's frame [m]
+  double stddev = 0.0;   ///< one sigma of range; 0: unknown, the mapper uses its own model [m]
 };
 
-/// The ranges that one antenna measured in one moment.
+/// The ranges that one antenna measured at one moment.
 struct BeaconRanges {
   std::vector<BeaconRange> ranges;
 };
 
-/// True where range (not below 0) and deviation (likewise) are finite.
+/// True where the range is finite and positive, and the deviation finite and not negative.
 bool is_usable(const BeaconRange& range);
 
-/// True where every range is usable.
-bool is_usable(const BeaconRanges& z);
+/// True unless every range is malformed: the good ones are used, the others counted. No range at
+/// all is nothing wrong.
+bool is_usable(const BeaconRanges& ranges);
 
-/// What it occupies in memory [byte].
-inline std::size_t byte_size(const BeaconRanges& z) {
-  return sizeof(z) + z.ranges.capacity() * sizeof(BeaconRange);
+/// What they occupy in memory [byte].
+inline std::size_t byte_size(const BeaconRanges& ranges) {
+  return sizeof(ranges) + ranges.ranges.capacity() * sizeof(BeaconRange);
 }
 
 }  // namespace portolan

@@ -28,7 +28,7 @@ struct ImageFeatures {
 /// True where both pixels are finite.
 bool is_usable(const ImageFeature& feature);
 
-/// True where the camera and every feature are usable.
+/// True where the camera is usable and not every feature is malformed.
 bool is_usable(const ImageFeatures& z);
 
 /// What it occupies in memory [byte].

@@ -31,7 +31,8 @@ struct LandmarkSightings {
 /// deviation is negative.
 bool is_usable(const LandmarkSighting& sighting);
 
-/// True where every sighting is usable.
+/// True unless every sighting is malformed: the good ones are used, the others counted. No sighting
+/// at all is nothing wrong.
 bool is_usable(const LandmarkSightings& z);
 
 /// What it occupies in memory [byte].
