@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/octo/octo_mapper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace portolan {
+
+namespace {
+
+constexpr std::size_t kVoxels = BlockKey::kVoxels;
+
+/// All ones where `bit` is set in `bits`.
+std::int32_t lane_mask(std::uint32_t bits, std::uint32_t bit) {
+  return -static_cast<std::int32_t>((bits & bit) != 0);
+}
+
+float masked(float value, std::int32_t mask) { return mask != 0 ? value : 0.0F; }
+
+/// Eight neighbouring voxels at once: log-odds add up and are clamped; what already lies beyond
+/// the bound that it moves towards stays, as in octomap::OcTree::updateNode.
+void update_row(float* row, std::uint32_t hits, std::uint32_t misses, const LogOddsModel& model) {
+  for (std::uint32_t i = 0; i < kVoxels; ++i) {
+    const float update = masked(model.hit, lane_mask(hits, 1U << i)) +
+                         masked(model.miss, lane_mask(misses, 1U << i));
+    const float old = row[i];
+    const float sum = old + update;
+    const float high = update >= 0.0F ? std::max(old, model.max) : model.max;
+    const float low = update <= 0.0F ? std::min(old, model.min) : model.min;
+    row[i] = std::min(std::max(sum, low), high);
+  }
+}
+
+void update(VoxelBlock& block, const VoxelMask& crossed, const VoxelMask& ends,
+            const LogOddsModel& model) {
+  for (std::size_t z = 0; z < kVoxels; ++z) {
+    const std::uint64_t hits = ends[z];
+    const std::uint64_t misses = crossed[z] & ~hits;
+    if ((hits | misses) == 0) continue;
+    block.known[z] |= hits | misses;
+    for (std::size_t y = 0; y < kVoxels; ++y) {
+      const auto row_hits = static_cast<std::uint32_t>(hits >> (8 * y)) & 0xff;
+      const auto row_misses = static_cast<std::uint32_t>(misses >> (8 * y)) & 0xff;
+      if ((row_hits | row_misses) == 0) continue;
+      update_row(&block.log_odds[64 * z + 8 * y], row_hits, row_misses, model);
+    }
+  }
+}
+
+/// The box around the corners of a posed box.
+Eigen::AlignedBox3d bounds(const ClearBox& box, const Pose& T_map_box) {
+  Eigen::AlignedBox3d all;
+  for (int i = 0; i < 8; ++i) {
+    const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(i);
+    all.extend(T_map_box * box.box.corner(corner));
+  }
+  return all;
+}
+
+/// Whether any part of the block lies in the box around.
+bool meets(BlockKey key, const VoxelLattice& lattice, const Eigen::AlignedBox3d& around) {
+  const auto corner = [&](int add) {
+    return Eigen::Vector3d(lattice.centre(8 * key.x + add), lattice.centre(8 * key.y + add),
+                           lattice.centre(8 * key.z + add));
+  };
+  return around.intersects(Eigen::AlignedBox3d(corner(0), corner(7)));
+}
+
+/// The known voxels of a block with their centre in the box.
+VoxelMask within(const ClearBox& box, const Pose& T_box_map, const VoxelLattice& lattice,
+                 BlockKey key, const VoxelBlock& block) {
+  VoxelMask mask{};
+  for (std::size_t i = 0; i < block.log_odds.size(); ++i) {
+    if (!block.is_known(i)) continue;
+    const auto place = static_cast<int>(i);
+    const Eigen::Vector3d centre(lattice.centre(8 * key.x + place % 8),
+                                 lattice.centre(8 * key.y + place / 8 % 8),
+                                 lattice.centre(8 * key.z + place / 64));
+    if (box.box.contains(T_box_map * centre)) mask[i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+  return mask;
+}
+
+bool is_usable(const ClearBox& box) {
+  return box.box.min().allFinite() && box.box.max().allFinite() && !box.box.isEmpty();
+}
+
+void add(PointCounts& sum, const PointCounts& more) {
+  sum.hits += more.hits;
+  sum.beyond_range += more.beyond_range;
+  sum.ground += more.ground;
+  sum.no_returns += more.no_returns;
+  sum.too_near += more.too_near;
+  sum.not_finite += more.not_finite;
+  sum.outside_octree += more.outside_octree;
+  sum.silent += more.silent;
+}
+
+}  // namespace
+
+OctoMapper::OctoMapper(const Options& options)
+    : options_(checked(options)), lattice_(options_.resolution), model_(options_.sensor_model) {}
+
+Outcome OctoMapper::insert(const Observation& z, const Pose& T_map_sensor) {
+  if (!is_valid(T_map_sensor)) return Outcome::rejected;
+  return std::visit([&](const auto& seen) { return draw(seen, T_map_sensor); }, z);
+}
+
+std::optional<float> OctoMapper::log_odds(const octomap::point3d& p_map) const {
+  const auto key = lattice_.key(p_map);
+  if (!key) return std::nullopt;
+  const VoxelBlock* block = blocks_.find(block_of(*key));
+  const std::size_t i = VoxelBlock::index((*key)[0] % 8, (*key)[1] % 8, (*key)[2] % 8);
+  if (block == nullptr || !block->is_known(i)) return std::nullopt;
+  return block->log_odds[i];
+}
+
+void OctoMapper::set(const octomap::OcTreeKey& key, float log_odds) {
+  VoxelBlock& block = blocks_.change(block_of(key), revision_);
+  const std::size_t i = VoxelBlock::index(key[0] % 8, key[1] % 8, key[2] % 8);
+  block.log_odds[i] = log_odds;
+  block.known[i / 64] |= std::uint64_t{1} << (i % 64);
+}
+
+Outcome OctoMapper::draw(const RangeScan& scan, const Pose& T_map_sensor) {
+  if (!is_usable(scan)) return Outcome::unusable;
+  Sweep sweep(lattice_, options_.sensor_model, options_.no_return, false);
+  sweep.add(scan, T_map_sensor);
+  draw(sweep);
+  return Outcome::inserted;
+}
+
+template <class Cloud>
+Outcome OctoMapper::draw(const Cloud& cloud, const Pose& T_map_sensor) {
+  Sweep sweep(lattice_, options_.sensor_model, options_.no_return, options_.discretize);
+  sweep.add(cloud, T_map_sensor);
+  draw(sweep);
+  return Outcome::inserted;
+}
+
+void OctoMapper::draw(const Sweep& sweep) {
+  ++revision_;
+  add(counts_, sweep.counts());
+  RayMarks::Box box;
+  std::optional<octomap::OcTreeKey> centre;
+  for (const Sweep::Ray& ray : sweep.rays()) {
+    for (const octomap::point3d& p : {ray.end, ray.origin}) {
+      const auto key = lattice_.key(p);
+      if (!key) continue;
+      box.extend(*key);
+      centre = key;
+    }
+  }
+  if (!centre) return;
+  marks_.start(box, *centre);
+  for (const Sweep::Ray& ray : sweep.rays()) {
+    if (const auto prepared = ray_walk(lattice_, ray.origin, ray.end)) {
+      marks_.mark_crossed(*prepared);
+    }
+    if (ray.hit) marks_.mark_end(*lattice_.key(ray.end));
+  }
+  marks_.take([this](BlockKey key, const VoxelMask& crossed, const VoxelMask& ends) {
+    update(blocks_.change(key, revision_), crossed, ends, model_);
+  });
+}
+
+Outcome OctoMapper::draw(const ClearBox& box, const Pose& T_map_box) {
+  if (!is_usable(box)) return Outcome::unusable;
+  ++revision_;
+  const Eigen::AlignedBox3d around = bounds(box, T_map_box);
+  const Pose T_box_map = T_map_box.inverse();
+  std::vector<std::pair<BlockKey, VoxelMask>> cleared;
+  blocks_.for_each([&](BlockKey key, const VoxelBlock& block) {
+    if (meets(key, lattice_, around)) {
+      cleared.emplace_back(key, within(box, T_box_map, lattice_, key, block));
+    }
+  });
+  for (const auto& [key, mask] : cleared) {
+    VoxelBlock& block = blocks_.change(key, revision_);
+    for (std::size_t i = 0; i < block.log_odds.size(); ++i) {
+      if (((mask[i / 64] >> (i % 64)) & 1) != 0) block.log_odds[i] = model_.min;
+    }
+  }
+  return Outcome::inserted;
+}
+
+}  // namespace portolan
