@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <limits>
 #include <locale>
+#include <set>
 #include <sstream>
 
 namespace portolan::options_detail {
@@ -20,10 +21,36 @@ bool read_whole(const std::string& text, T& value) {
   return (in >> std::noskipws >> value) && in.peek() == std::istringstream::traits_type::eof();
 }
 
+// Of ASCII alone: what a character is must not depend on the locale of the process.
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
   return text;
+}
+
+bool is_word_of_yaml(const std::string& word) {
+  static const std::set<std::string> words = {"true", "false", "yes", "no",  "on",
+                                              "off",  "y",     "n",   "null"};
+  return words.count(lower(word)) == 1;
+}
+
+std::string quoted(char c) {
+  if (c == '"' || c == '\\') return {'\\', c};
+  const auto byte = static_cast<unsigned char>(c);
+  if (byte >= 0x20 && byte != 0x7f) return {c};
+  constexpr const char* kDigits = "0123456789abcdef";
+  return {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
+}
+
+/// With a point before an exponent: YAML 1.1, which rosparam speaks, takes 1e-06 for a text.
+std::string with_point(std::string number) {
+  const std::size_t exponent = number.find('e');
+  if (exponent == std::string::npos || number.find('.') != std::string::npos) return number;
+  return number.insert(exponent, ".0");
 }
 
 std::string with_precision(double value, int digits) {
@@ -76,24 +103,19 @@ std::string format_double(double value) {
   if (std::isinf(value)) return value > 0.0 ? ".inf" : "-.inf";
   for (int digits = 6; digits < std::numeric_limits<double>::max_digits10; ++digits) {
     std::string text = with_precision(value, digits);
-    if (parse_double(text) == value) return text;
+    if (parse_double(text) == value) return with_point(text);
   }
-  return with_precision(value, std::numeric_limits<double>::max_digits10);
+  return with_point(with_precision(value, std::numeric_limits<double>::max_digits10));
 }
 
 std::string format_string(const std::string& value) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '/'; };
-  const bool bare = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) &&
-                    std::all_of(value.begin(), value.end(), plain) && lower(value) != "true" &&
-                    lower(value) != "false" && lower(value) != "null" && lower(value) != "yes" &&
-                    lower(value) != "no" && lower(value) != "on" && lower(value) != "off";
+  const auto is_plain = [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '/'; };
+  const bool bare = !value.empty() && is_letter(value.front()) &&
+                    std::all_of(value.begin(), value.end(), is_plain) && !is_word_of_yaml(value);
   if (bare) return value;
-  std::string quoted = "\"";
-  for (const char c : value) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + "\"";
+  std::string all = "\"";
+  for (const char c : value) all += quoted(c);
+  return all + "\"";
 }
 
 }  // namespace portolan::options_detail

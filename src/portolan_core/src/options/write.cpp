@@ -54,7 +54,7 @@ std::string to_yaml(const std::vector<OptionRow>& rows) {
 std::string to_markdown(const std::vector<OptionRow>& rows) {
   std::string table = "| parameter | type | default | allowed | meaning |\n|---|---|---|---|---|\n";
   for (const OptionRow& row : rows) {
-    table += "| `" + row.name + "` | " + escaped(row.type) + " | `" + row.value + "` | " +
+    table += "| `" + row.name + "` | " + escaped(row.type) + " | `" + escaped(row.value) + "` | " +
              row.allowed + " | " + escaped(row.meaning) + " |\n";
   }
   return table;

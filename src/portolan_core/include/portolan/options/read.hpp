@@ -47,6 +47,7 @@ class Reader {
 
   template <class T>
   void read_group(const std::string& name, const YAML::Node& value, T& field) {
+    if (value.IsNull()) return;  // all its lines are commented out
     if (!value.IsMap()) return fault(name, value, "a map of options");
     Reader inner(value, name + "/");
     T::describe(field, inner);
@@ -68,7 +69,7 @@ class Reader {
   template <class T>
   void read_scalar(const std::string& name, const YAML::Node& value, T& field) {
     try {
-      if (!value.IsScalar()) throw std::invalid_argument(type_words<T>());
+      if (!value.IsScalar()) throw std::invalid_argument(wanted<T>());
       field = parse<T>(value.Scalar());
     } catch (const std::invalid_argument& expected) {
       fault(name, value, expected.what());

@@ -19,7 +19,7 @@ std::size_t parse_name(const std::string& text, const std::vector<std::string>& 
 
 /// Value to the shortest text that reads back as the same value.
 std::string format_double(double value);
-/// In quotes where YAML would read the bare text as anything but a string.
+/// In quotes, on one line, where YAML could read the bare text as anything but a string.
 std::string format_string(const std::string& value);
 
 template <class Enum>
@@ -42,7 +42,7 @@ T parse(const std::string& text) {
     }
     return narrow;
   } else if constexpr (std::is_floating_point_v<T>) {
-    return parse_double(text);
+    return static_cast<T>(parse_double(text));
   } else {
     static_assert(std::is_same_v<T, std::string>, "no option can have this type");
     return text;
@@ -64,7 +64,8 @@ std::string format(const T& value) {
   }
 }
 
-/// "number", "whole number", "true or false", "text", or the names joined by " | ".
+/// What a value of this type is called: "number", "whole number", "true or false", "text", or the
+/// names joined by " | ".
 template <class T>
 std::string type_words() {
   if constexpr (std::is_same_v<T, bool>) {
@@ -79,6 +80,18 @@ std::string type_words() {
     return "number";
   } else {
     return "text";
+  }
+}
+
+/// The same, to end the sentence "must be …".
+template <class T>
+std::string wanted() {
+  if constexpr (std::is_same_v<T, std::string>) {
+    return "text";
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return "true or false";
+  } else {
+    return (std::is_enum_v<T> ? "one of " : "a ") + type_words<T>();
   }
 }
 

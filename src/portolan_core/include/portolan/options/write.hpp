@@ -59,13 +59,9 @@ class Lister {
   template <class T>
   static std::string text(const T& field) {
     if constexpr (kIsGroup<T>) {
-      Lister inner;
+      FlowWriter inner;
       T::describe(field, inner);
-      std::string all;
-      for (const OptionRow& row : std::move(inner).rows()) {
-        all += (all.empty() ? "" : ", ") + row.name + ": " + row.value;
-      }
-      return "{" + all + "}";
+      return "{" + inner.all + "}";
     } else if constexpr (kIsList<T>) {
       std::string all;
       for (const auto& item : field) {
@@ -82,6 +78,18 @@ class Lister {
     const bool any = allowed.low == finite().low && allowed.high == finite().high;
     return any ? std::string{} : allowed.words();
   }
+
+  /// Writes a group that stands in a list: "{x: 1, y: 2}".
+  struct FlowWriter {
+    template <class T>
+    void operator()(const char* name, const T& field, const char* /*meaning*/,
+                    const Interval& /*allowed*/ = finite()) {
+      all += (all.empty() ? "" : ", ") + std::string(name) + ": " + text(field);
+    }
+    void require(bool /*holds*/, const char* /*rule*/) {}
+
+    std::string all;
+  };
 
   std::string prefix_;
   std::vector<OptionRow> rows_;
