@@ -9,9 +9,11 @@ Pose planar_pose(double x, double y, double yaw) {
   return Eigen::Translation3d(x, y, 0.0) * Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
 }
 
-double yaw(const Pose& pose) { return std::atan2(pose(1, 0), pose(0, 0)); }
+double yaw(const Pose& pose) { return wrap_angle(std::atan2(pose(1, 0), pose(0, 0))); }
 
 Pose interpolate(const Pose& a, const Pose& b, double fraction) {
+  if (fraction == 0.0 || a.matrix() == b.matrix()) return a;
+  if (fraction == 1.0) return b;
   const Eigen::Quaterniond q_a(a.linear());
   const Eigen::Quaterniond q_b(b.linear());
   Pose between = Pose::Identity();

@@ -15,7 +15,8 @@ Pose planar_pose(double x, double y, double yaw);
 double yaw(const Pose& pose);
 
 /// The pose at `fraction` of the way from `a` (0) to `b` (1): straight in position, slerp in
-/// orientation. Fractions outside [0, 1] extrapolate.
+/// orientation. Fractions outside [0, 1] extrapolate. At the ends, and between equal poses, exactly
+/// these poses: where a correction stays, nothing moves by a rounding.
 Pose interpolate(const Pose& a, const Pose& b, double fraction);
 
 /// True where every entry is finite and the rotation is one, to within 1e-6.

@@ -18,9 +18,9 @@ struct DataClock {
 using Duration = DataClock::duration;
 using Time = DataClock::time_point;
 
-/// A duration of so many seconds, to the nearest nanosecond towards zero.
+/// A duration of so many seconds, to the nearest nanosecond; less than 292 years either way [s].
 constexpr Duration seconds(double s) {
-  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s));
+  return Duration(static_cast<Duration::rep>(s * 1e9 + (s < 0.0 ? -0.5 : 0.5)));
 }
 
 /// The duration in seconds [s].
