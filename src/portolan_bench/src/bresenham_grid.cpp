@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bresenham_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace portolan::bench {
+
+namespace {
+
+/// The grid that everybody writes first: an array, a line of cells per beam, saturating bytes.
+class BresenhamGrid {
+ public:
+  BresenhamGrid(Eigen::Vector2d low, Eigen::Vector2d high)
+      : low_(low),
+        width_(cell(high.x() - low.x()) + 1),
+        cells_(static_cast<std::size_t>(width_ * (cell(high.y() - low.y()) + 1))) {}
+
+  void insert(const RangeScan& scan, const Pose& T_map_sensor) {
+    const double heading = yaw(T_map_sensor);
+    const Eigen::Vector2d p = T_map_sensor.translation().head<2>() - low_;
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+      const double range = static_cast<double>(scan.ranges[i]);
+      if (range_reading(range, scan.range_min, scan.range_max) != RangeReading::hit) continue;
+      const double angle = heading + scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+      line(cell(p.x()), cell(p.y()), cell(p.x() + range * std::cos(angle)),
+           cell(p.y() + range * std::sin(angle)));
+    }
+  }
+
+ private:
+  static int cell(double metres) { return static_cast<int>(std::floor(metres / 0.05)); }
+
+  void line(int x, int y, int x_end, int y_end) {
+    const int dx = std::abs(x_end - x), dy = -std::abs(y_end - y);
+    const int step_x = x < x_end ? 1 : -1, step_y = y < y_end ? 1 : -1;
+    int error = dx + dy;
+    while (x != x_end || y != y_end) {
+      add(x, y, -22);
+      const int twice = 2 * error;
+      if (twice >= dy) error += dy, x += step_x;
+      if (twice <= dx) error += dx, y += step_y;
+    }
+    add(x, y, 22);
+  }
+
+  void add(int x, int y, int step) {
+    std::int8_t& cell = cells_[static_cast<std::size_t>(y * width_ + x)];
+    cell = static_cast<std::int8_t>(std::clamp(cell + step, -78, 78));
+  }
+
+  Eigen::Vector2d low_;
+  int width_;
+  std::vector<std::int8_t> cells_;
+};
+
+}  // namespace
+
+Drawer bresenham_grid(const Workload& workload) {
+  Eigen::Vector2d low(0.0, 0.0), high(0.0, 0.0);
+  for (const Workload::PosedScan& posed : workload.scans) {
+    low = low.cwiseMin(posed.T_map_sensor.translation().head<2>());
+    high = high.cwiseMax(posed.T_map_sensor.translation().head<2>());
+  }
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(workload.max_range + 2.0);
+  auto map = std::make_shared<BresenhamGrid>(low - reach, high + reach);
+  Drawer drawer;
+  drawer.scan = [map, &workload](std::size_t i) {
+    map->insert(workload.scans[i].scan, workload.scans[i].T_map_sensor);
+  };
+  return drawer;
+}
+
+}  // namespace portolan::bench

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "portolan/grid/grid_mapper.hpp"
+
+namespace portolan::bench {
+
+/// Scans from known poses, to be drawn into a map by ours and by others.
+struct Workload {
+  struct PosedScan {
+    RangeScan scan;
+    Pose T_map_sensor;
+  };
+
+  std::string name;
+  double max_range = 0.0;  // [m]
+  std::vector<PosedScan> scans;
+};
+
+/// Rooms of 6 m with doors, and a hall of 30 m with pillars; `beams` over `aperture` [rad], ranges
+/// with 1 cm of noise, +Inf beyond `max_range`.
+Workload rooms(int beams, double aperture, double max_range);
+Workload hall(int beams, double aperture, double max_range);
+
+/// The synthetic workloads and, where it is found, the real log: the file that PORTOLAN_RAWLOG
+/// names, or the one that MRPT's data package installs.
+const std::vector<Workload>& workloads();
+
+}  // namespace portolan::bench
