@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "portolan/beacon/beacon_options.hpp"
+#include "portolan/beacon/hypothesis.hpp"
+
+namespace portolan {
+
+/// All guesses of where one beacon is, heavier the better they explain its ranges.
+class BeaconTrack {
+ public:
+  /// Takes the next range. `others` is the calibration's prior and what the other beacons say.
+  void update(const PosedRange& z, const CalibrationPrior& prior, const CalibrationFactor& others,
+              const BeaconOptions& options);
+
+  /// Never empty after the first range; the heaviest may stand anywhere. Weights sum to 1.
+  const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+  const Hypothesis& best() const { return hypotheses_[best_]; }
+
+  /// True while hypotheses three Mahalanobis distances from the best, or more, hold more than the
+  /// options' `ambiguous_share` together.
+  bool is_ambiguous() const { return is_ambiguous_; }
+
+  /// What this beacon tells the others about the calibration: nothing while it is ambiguous.
+  const CalibrationFactor& contribution() const { return contribution_; }
+
+  /// Ranges taken, those of them that looked wrong, and how often it was started anew.
+  std::size_t ranges() const { return ranges_; }
+  std::size_t outliers() const { return outliers_; }
+  std::size_t restarts() const { return restarts_; }
+
+  /// The antenna at the last range [m], and at the first, the origin of polar places.
+  const Eigen::Vector3d& last_p_map() const { return last_p_map_; }
+  const Eigen::Vector3d& origin() const { return origin_; }
+
+  /// A track that was saved: Gaussians x, y, z with their weights, and its counts.
+  static BeaconTrack restored(std::vector<Hypothesis> hypotheses, std::size_t ranges,
+                              std::size_t outliers, std::size_t restarts,
+                              const BeaconOptions& options);
+
+ private:
+  void start(const PosedRange& z, const RangeCalibration& calibration,
+             const BeaconOptions& options);
+  void forget(const PosedRange& z, const BeaconOptions& options);
+  void weigh(const PosedRange& z, const CalibrationPrior& prior, const CalibrationFactor& others,
+             const BeaconOptions& options);
+  double normalize_and_prune(const BeaconOptions& options);
+  void find_best();
+  bool stands_elsewhere(const RangeCalibration& calibration, const BeaconOptions& options) const;
+
+  std::vector<Hypothesis> hypotheses_;
+  std::vector<double> fits_;  // P(the range was right | hypothesis), beside the hypotheses
+  std::size_t best_ = 0;
+  bool is_ambiguous_ = true;
+  CalibrationFactor contribution_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d last_p_map_ = Eigen::Vector3d::Zero();
+  double fit_ = 0.0;  // recent mean of that
+  std::size_t ranges_ = 0;
+  std::size_t outliers_ = 0;
+  std::size_t restarts_ = 0;
+};
+
+}  // namespace portolan

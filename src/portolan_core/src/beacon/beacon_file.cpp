@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/beacon/beacon_file.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace portolan {
+
+namespace {
+
+constexpr int kVersion = 1;
+using options_detail::format_double;
+
+template <class Matrix>
+std::string listed(const Matrix& matrix) {
+  std::string text = "[";
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
+      text += (text.size() == 1 ? "" : ", ") + format_double(matrix(row, column));
+    }
+  }
+  return text + "]";
+}
+
+std::string shown(const BeaconMode& mode) {
+  return "      - weight: " + format_double(mode.weight) + "\n        mean: " + listed(mode.mean) +
+         "\n        covariance: " + listed(mode.covariance) + "\n";
+}
+
+std::string shown(const BeaconEstimate& beacon) {
+  std::string text = "  - id: " + std::to_string(beacon.id) +
+                     "\n    ranges: " + std::to_string(beacon.ranges) +
+                     "\n    outliers: " + std::to_string(beacon.outliers) +
+                     "\n    restarts: " + std::to_string(beacon.restarts) + "\n    modes:\n";
+  for (const BeaconMode& mode : beacon.modes) text += shown(mode);
+  return text;
+}
+
+void require(bool holds, const std::string& fault) {
+  if (!holds) throw std::runtime_error(fault);
+}
+
+double finite_number(const YAML::Node& node, const std::string& name) {
+  require(node.IsDefined() && node.IsScalar(), name + " is missing");
+  const auto value = node.as<double>();
+  require(std::isfinite(value), name + " is not finite");
+  return value;
+}
+
+template <int rows, int columns>
+Eigen::Matrix<double, rows, columns> matrix(const YAML::Node& node, const std::string& name) {
+  const std::size_t size = static_cast<std::size_t>(rows) * columns;
+  require(node.IsSequence() && node.size() == size,
+          name + " must have " + std::to_string(size) + " numbers");
+  Eigen::Matrix<double, rows, columns> values;
+  for (std::size_t i = 0; i < size; ++i) {
+    values(static_cast<int>(i) / columns, static_cast<int>(i) % columns) =
+        finite_number(node[i], name);
+  }
+  return values;
+}
+
+void require_covariance(const Eigen::Matrix3d& covariance, const std::string& name) {
+  const double size = covariance.norm();
+  require((covariance - covariance.transpose()).norm() <= 1e-9 * size, name + " is not symmetric");
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  require(solver.eigenvalues().minCoeff() >= -1e-9 * size, name + " has negative eigenvalues");
+}
+
+Hypothesis read_mode(const YAML::Node& node, const std::string& name) {
+  Hypothesis hypothesis;
+  const double weight = finite_number(node["weight"], name + ": weight");
+  require(weight > 0.0 && weight <= 1.0 + 1e-9, name + ": weight must be in (0, 1]");
+  hypothesis.weight = weight;
+  hypothesis.log_weight = std::log(weight);
+  hypothesis.x = matrix<3, 1>(node["mean"], name + ": mean");
+  hypothesis.Q = matrix<3, 3>(node["covariance"], name + ": covariance");
+  require_covariance(hypothesis.Q, name + ": covariance");
+  return hypothesis;
+}
+
+std::size_t read_count(const YAML::Node& node) {
+  return node.IsDefined() ? node.as<std::size_t>() : 0;
+}
+
+BeaconTrack read_track(const YAML::Node& node, const std::string& name,
+                       const BeaconOptions& options) {
+  require(node["ranges"].IsDefined(), name + ": ranges is missing");
+  require(node["modes"].IsSequence() && node["modes"].size() > 0, name + " has no modes");
+  std::vector<Hypothesis> hypotheses;
+  double total = 0.0;
+  for (const YAML::Node& mode : node["modes"]) {
+    hypotheses.push_back(read_mode(mode, name));
+    total += hypotheses.back().weight;
+  }
+  require(std::abs(total - 1.0) < 1e-6, name + ": weights do not sum to 1");
+  return BeaconTrack::restored(std::move(hypotheses), read_count(node["ranges"]),
+                               read_count(node["outliers"]), read_count(node["restarts"]), options);
+}
+
+CalibrationPrior read_calibration(const YAML::Node& node, CalibrationPrior prior) {
+  if (!node.IsDefined()) return prior;
+  prior.scale = finite_number(node["scale"], "calibration: scale");
+  prior.bias = finite_number(node["bias"], "calibration: bias");
+  prior.information = matrix<2, 2>(node["information"], "calibration: information");
+  require(prior.scale > 0.0, "calibration: scale must be above 0");
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(prior.information);
+  require(solver.eigenvalues().minCoeff() > 0.0, "calibration: information is not positive");
+  return prior;
+}
+
+BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
+  require(root.IsMap() && root["version"].IsDefined(), "no version: not a map of beacons");
+  require(root["version"].as<int>() == kVersion, "version must be " + std::to_string(kVersion));
+  require(root["beacons"].IsSequence(), "beacons is missing");
+  std::map<BeaconId, BeaconTrack> tracks;
+  for (const YAML::Node& node : root["beacons"]) {
+    require(node["id"].IsDefined(), "a beacon has no id");
+    const auto id = node["id"].as<BeaconId>();
+    const std::string name = "beacon " + std::to_string(id);
+    require(tracks.emplace(id, read_track(node, name, options)).second, name + " is there twice");
+  }
+  const CalibrationPrior prior = BeaconMapper(options).knowledge();
+  return BeaconMapper::restored(options, read_calibration(root["calibration"], prior),
+                                std::move(tracks));
+}
+
+}  // namespace
+
+std::string to_yaml(const BeaconMapper& mapper) {
+  const CalibrationPrior known = mapper.knowledge();
+  std::string text = "version: " + std::to_string(kVersion) +
+                     "\ncalibration:\n  scale: " + format_double(known.scale) +
+                     "\n  bias: " + format_double(known.bias) +
+                     "\n  information: " + listed(known.information) + "\nbeacons:";
+  const std::vector<BeaconEstimate> beacons = mapper.estimates();
+  text += beacons.empty() ? " []\n" : "\n";
+  for (const BeaconEstimate& beacon : beacons) text += shown(beacon);
+  return text;
+}
+
+BeaconMapper beacons_from_yaml(const std::string& text, const BeaconOptions& options) {
+  try {
+    return read_map(YAML::Load(text), options);
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+}  // namespace portolan

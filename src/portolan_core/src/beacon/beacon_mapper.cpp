@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/beacon/beacon_mapper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "portolan/beacon/expected_information.hpp"
+
+namespace portolan {
+
+namespace {
+
+double information_of(double stddev) {
+  constexpr double kAsGoodAsKnown = 1e-9;
+  const double deviation = std::max(stddev, kAsGoodAsKnown);
+  return 1.0 / (deviation * deviation);
+}
+
+CalibrationPrior prior_of(const RangeCalibrationOptions& options) {
+  CalibrationPrior prior;
+  prior.scale = options.scale;
+  prior.bias = options.bias;
+  prior.information(0, 0) = information_of(options.scale_stddev);
+  prior.information(1, 1) = information_of(options.bias_stddev);
+  return prior;
+}
+
+// The plane of the beacons is z = 0; the antenna then is below it by their height.
+Eigen::Vector3d antenna(const Pose& T_map_sensor, const BeaconOptions& options) {
+  Eigen::Vector3d p_map = T_map_sensor.translation();
+  if (options.space == BeaconSpace::planar) p_map.z() = -options.height;
+  return p_map;
+}
+
+}  // namespace
+
+BeaconMapper::BeaconMapper(const Options& options)
+    : options_(checked(options)), prior_(prior_of(options.calibration)) {}
+
+Outcome BeaconMapper::insert(const BeaconRanges& z, const Pose& T_map_sensor) {
+  const Eigen::Vector3d p_map = antenna(T_map_sensor, options_);
+  bool took_any = z.ranges.empty();
+  for (const BeaconRange& range : z.ranges) took_any |= take(range, p_map);
+  if (took_any) return Outcome::inserted;
+  return is_usable(z) ? Outcome::rejected : Outcome::unusable;
+}
+
+bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
+  if (!is_usable(z)) return ++counts_.malformed, false;
+  if (z.range > options_.outliers.max_range) return ++counts_.too_long, false;
+  auto track = tracks_.find(z.id);
+  if (track == tracks_.end()) {
+    if (tracks_.size() == options_.max_beacons) return ++counts_.refused, false;
+    track = tracks_.emplace(z.id, BeaconTrack{}).first;
+  }
+  const PosedRange range{p_map, z.range, z.stddev > 0.0 ? z.stddev : options_.stddev};
+  const CalibrationFactor others = evidence_ - track->second.contribution();
+  track->second.update(range, prior_, others, options_);
+  evidence_ = others + track->second.contribution();
+  ++counts_.taken;
+  return true;
+}
+
+CalibrationPrior BeaconMapper::knowledge() const {
+  const RangeCalibration now = calibration();
+  return {now.scale, now.bias, prior_.information + evidence_.information};
+}
+
+std::vector<BeaconEstimate> BeaconMapper::estimates() const {
+  std::vector<BeaconEstimate> all;
+  all.reserve(tracks_.size());
+  for (const auto& [id, track] : tracks_) {
+    BeaconEstimate estimate;
+    estimate.id = id;
+    estimate.ranges = track.ranges();
+    estimate.outliers = track.outliers();
+    estimate.restarts = track.restarts();
+    estimate.ambiguous = track.is_ambiguous();
+    const CalibrationFactor others = evidence_ - track.contribution();
+    for (const Hypothesis& h : track.hypotheses()) {
+      const RangeCalibration c = prior_.given(others + h.calibration);
+      estimate.modes.push_back({h.weight, h.mean(c), h.covariance(c)});
+    }
+    const auto heavier = [](const BeaconMode& a, const BeaconMode& b) {
+      return a.weight > b.weight;
+    };
+    std::stable_sort(estimate.modes.begin(), estimate.modes.end(), heavier);
+    estimate.direction = direction_to_drive(estimate.modes, track.last_p_map(), options_);
+    all.push_back(std::move(estimate));
+  }
+  return all;
+}
+
+BeaconMapper BeaconMapper::restored(const Options& options, const CalibrationPrior& prior,
+                                    std::map<BeaconId, BeaconTrack> tracks) {
+  BeaconMapper mapper(options);
+  mapper.prior_ = prior;
+  mapper.tracks_ = std::move(tracks);
+  for (const auto& [id, track] : mapper.tracks_) mapper.counts_.taken += track.ranges();
+  return mapper;
+}
+
+}  // namespace portolan

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/beacon/beacon_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "portolan/beacon/inverse_range.hpp"
+#include "portolan/beacon/merge.hpp"
+#include "portolan/beacon/range_update.hpp"
+
+namespace portolan {
+
+namespace {
+
+constexpr double kApart = 3.0;         // Mahalanobis distance of places that are two
+constexpr double kNewcomersFit = 0.5;  // one that starts wrong is given up soon
+
+bool lighter(const Hypothesis& a, const Hypothesis& b) { return a.log_weight < b.log_weight; }
+
+}  // namespace
+
+void BeaconTrack::update(const PosedRange& z, const CalibrationPrior& prior,
+                         const CalibrationFactor& others, const BeaconOptions& options) {
+  ++ranges_;
+  if (hypotheses_.empty()) {
+    start(z, prior.given(others), options);
+  } else {
+    forget(z, options);
+    weigh(z, prior, others, options);
+    const double p_right = normalize_and_prune(options);
+    merge_close(options.merge_distance, ranges_, hypotheses_);
+    if (p_right < 0.5) ++outliers_;
+    fit_ += (p_right - fit_) / options.restart.memory;
+    if (options.restart.enabled && fit_ < options.restart.fit_below) {
+      ++restarts_;
+      start(z, prior.given(others), options);
+    }
+  }
+  last_p_map_ = z.p_map;
+  find_best();
+  is_ambiguous_ = stands_elsewhere(prior.given(others + best().calibration), options);
+  contribution_ = is_ambiguous_ ? CalibrationFactor{} : best().calibration;
+}
+
+// Whether hypotheses apart from the best one weigh more than the given share.
+bool BeaconTrack::stands_elsewhere(const RangeCalibration& calibration,
+                                   const BeaconOptions& options) const {
+  if (best().weight >= 1.0 - options.ambiguous_share) return false;
+  double elsewhere = 0.0;
+  for (const Hypothesis& h : hypotheses_) {
+    if (&h == &best() || mahalanobis_distance(h, best(), calibration) < kApart) continue;
+    elsewhere += h.weight;
+    if (elsewhere > options.ambiguous_share) return true;
+  }
+  return false;
+}
+
+void BeaconTrack::start(const PosedRange& z, const RangeCalibration& calibration,
+                        const BeaconOptions& options) {
+  origin_ = z.p_map;
+  fit_ = kNewcomersFit;
+  if (options.parametrization == BeaconParametrization::polar) {
+    inverse_range_polar(z, calibration, options, hypotheses_);
+  } else {
+    inverse_range(z, calibration, options, hypotheses_);
+  }
+  fits_.reserve(options.max_modes);
+}
+
+// Poses drift as the robot drives, and with them where the beacon seems to be.
+void BeaconTrack::forget(const PosedRange& z, const BeaconOptions& options) {
+  if (options.drift == 0.0) return;
+  const double variance = options.drift * options.drift * (z.p_map - last_p_map_).norm();
+  for (Hypothesis& h : hypotheses_) {
+    h.Q(0, 0) += variance;
+    h.Q(1, 1) += variance;
+    if (options.space == BeaconSpace::spatial) h.Q(2, 2) += variance;
+  }
+}
+
+void BeaconTrack::weigh(const PosedRange& z, const CalibrationPrior& prior,
+                        const CalibrationFactor& others, const BeaconOptions& options) {
+  fits_.clear();
+  for (Hypothesis& h : hypotheses_) {
+    const RangeCalibration calibration = prior.given(others + h.calibration);
+    const RangeFit fit = update_hypothesis(z, calibration, options.outliers, origin_, h);
+    h.log_weight += fit.log_likelihood;
+    fits_.push_back(fit.p_right);
+  }
+}
+
+// Returns P(the last range was right).
+double BeaconTrack::normalize_and_prune(const BeaconOptions& options) {
+  const double heaviest =
+      std::max_element(hypotheses_.begin(), hypotheses_.end(), lighter)->log_weight;
+  const double lightest = heaviest + std::log(options.prune_below);
+  double p_right = 0.0;
+  double mass = 0.0;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    if (hypotheses_[i].log_weight < lightest) continue;
+    if (kept != i) hypotheses_[kept] = hypotheses_[i];
+    const double weight = std::exp(hypotheses_[kept].log_weight - heaviest);
+    hypotheses_[kept++].weight = weight;
+    p_right += fits_[i] * weight;
+    mass += weight;
+  }
+  hypotheses_.resize(kept);
+  for (Hypothesis& h : hypotheses_) {
+    h.weight /= mass;
+    h.log_weight -= heaviest + std::log(mass);
+  }
+  return p_right / mass;
+}
+
+void BeaconTrack::find_best() {
+  const auto best = std::max_element(hypotheses_.begin(), hypotheses_.end(), lighter);
+  best_ = static_cast<std::size_t>(best - hypotheses_.begin());
+}
+
+BeaconTrack BeaconTrack::restored(std::vector<Hypothesis> hypotheses, std::size_t ranges,
+                                  std::size_t outliers, std::size_t restarts,
+                                  const BeaconOptions& options) {
+  BeaconTrack track;
+  track.hypotheses_ = std::move(hypotheses);
+  track.ranges_ = ranges;
+  track.outliers_ = outliers;
+  track.restarts_ = restarts;
+  track.fit_ = 1.0;
+  track.find_best();
+  track.is_ambiguous_ = track.stands_elsewhere({}, options);
+  return track;
+}
+
+}  // namespace portolan

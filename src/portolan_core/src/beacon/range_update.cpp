@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/beacon/range_update.hpp"
+
+#include <cmath>
+
+namespace portolan {
+
+namespace {
+
+constexpr double kLogRootTwoPi = 0.91893853320467274178;
+constexpr double kHardlyRight = 1e-3;  // a range less likely right than this moves nothing
+
+double wrong_density(double innovation, const RangeOutlierOptions& outliers) {
+  double density = (1.0 - outliers.late_share) / outliers.max_range;
+  if (innovation > 0.0) {
+    density +=
+        outliers.late_share * std::exp(-innovation / outliers.late_mean) / outliers.late_mean;
+  }
+  return density;
+}
+
+RangeFit fit_of(double innovation, double variance, const RangeOutlierOptions& outliers) {
+  const double exponent = 0.5 * innovation * innovation / variance;
+  const double right =
+      (1.0 - outliers.share) * std::exp(-exponent - kLogRootTwoPi) / std::sqrt(variance);
+  const double wrong = outliers.share * wrong_density(innovation, outliers);
+  return {std::log(right + wrong), right / (right + wrong)};
+}
+
+}  // namespace
+
+RangeFit update_hypothesis(const PosedRange& z, const RangeCalibration& c,
+                           const RangeOutlierOptions& outliers, const Eigen::Vector3d& /*origin*/,
+                           Hypothesis& hypothesis) {
+  const DistancePrediction distance = predict_distance(hypothesis.mean(c), hypothesis.Q, z.p_map);
+  // reading = scale * distance + bias, and how that depends on the calibration.
+  const Eigen::RowVector2d L =
+      c.scale * distance.H * hypothesis.G + Eigen::RowVector2d(distance.mean, 1.0);
+  const double innovation = z.range - c.scale * distance.mean - c.bias;
+  const double expected = c.scale * c.scale * distance.variance;
+  const double noise = z.stddev * z.stddev;
+  const RangeFit fit =
+      fit_of(innovation, expected + noise + L * c.covariance * L.transpose(), outliers);
+  if (fit.p_right < kHardlyRight) return fit;
+
+  const double S = expected + noise / fit.p_right;  // given the calibration
+  const Eigen::Vector3d K = c.scale * distance.cross / S;
+  const double at_prior = innovation + L * c.deviation;  // the innovation if c were 0
+  hypothesis.x += K * at_prior;
+  hypothesis.G -= K * L;
+  hypothesis.Q -= S * K * K.transpose();
+  hypothesis.calibration.information += L.transpose() * L / S;
+  hypothesis.calibration.vector += L.transpose() * (at_prior / S);
+  return fit;
+}
+
+}  // namespace portolan

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "portolan/beacon/beacon_mapper.hpp"
+
+namespace portolan::beacon_test {
+
+/// Numbers that are the same on every standard library.
+class Dice {
+ public:
+  explicit Dice(std::uint32_t seed) : engine_(seed) {}
+
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+  }
+  double normal(double stddev) {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0)));
+    return stddev * radius * std::cos(2.0 * M_PI * uniform(0.0, 1.0));
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+inline BeaconRanges one_range(BeaconId id, double range, double stddev) {
+  BeaconRanges z;
+  z.ranges.push_back({id, range, stddev});
+  return z;
+}
+
+inline Pose antenna_at(double x, double y, double z = 0.0) {
+  Pose pose = planar_pose(x, y, 0.3);
+  pose.translation().z() = z;
+  return pose;
+}
+
+/// Straight ahead along x, then a turn to the left: the path of Figure 11.
+inline Pose figure_11(int step, int straight_steps) {
+  if (step < straight_steps) return antenna_at(0.5 * step, 0.0);
+  const double turn = 0.15 * (step - straight_steps + 1);
+  return antenna_at(0.5 * (straight_steps - 1) + 3.0 * std::sin(turn),
+                    3.0 * (1.0 - std::cos(turn)));
+}
+
+/// Options without calibration: ranges read what they are.
+inline BeaconOptions calibrated() {
+  BeaconOptions options;
+  options.calibration.scale_stddev = 0.0;
+  options.calibration.bias_stddev = 0.0;
+  return options;
+}
+
+}  // namespace portolan::beacon_test
