@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <optional>
 #include <utility>
 
 #include "portolan/correction.hpp"
-#include "portolan/options.hpp"
 #include "portolan/outcome.hpp"
-#include "portolan/thinning.hpp"
+#include "portolan/remapper_options.hpp"
 
 namespace portolan {
-
-/// What a `Remapper` may keep, and what it lets in.
-struct RemapperOptions {
-  double log_budget = 512.0;
-  Thinning::Options thinning;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit("log_budget", self.log_budget,
-          "memory for observations that corrections can still move [MB]", above(0.0));
-    visit("thinning", self.thinning, "which observations enter");
-  }
-};
 
 /// Draws a map and draws it anew when the trajectory is corrected.
 ///
@@ -44,11 +29,14 @@ class Remapper {
 
   /// Takes an observation that the sensor made at `stamp` from `T_odom_sensor`. The outcome that
   /// the mapper gave; none where thinning turned it away. What is unusable is not kept; what was
-  /// rejected is, since another correction may bring it to a better pose.
+  /// rejected is, since another correction may bring it to a better pose; not so where
+  /// T_odom_sensor is no rigid motion, which no correction mends.
   std::optional<Outcome> observe(Time stamp, const Pose& T_odom_sensor, Observation z,
                                  SensorId sensor = 0);
 
-  /// Takes a new correction. The map is drawn anew by `replay`, unless no observation moves.
+  /// Takes a new correction. The map is drawn anew by `replay`, unless no observation moves. While
+  /// it is being redrawn, a correction that moves what is redrawn already waits for the end, and
+  /// the last one that came is next: corrections that come fast cannot keep the map from changing.
   void correct(Correction correction);
 
   /// Draws on while the predicate holds; true when the map is up to date. At least one
@@ -72,6 +60,7 @@ class Remapper {
   /// Counts the times that another map took the place of the one before: redrawn, reset, loaded.
   std::size_t generation() const { return generation_; }
 
+  /// The correction that observations are posed with now.
   const Correction& correction() const { return correction_; }
 
   /// Starts from this map instead of an empty one; what was observed before is forgotten, the
@@ -109,11 +98,13 @@ class Remapper {
     return sizeof(Entry) - sizeof(Observation) + byte_size(entry.z);
   }
   void freeze_oldest();
+  void show_redrawn();
 
   RemapperOptions options_;
   typename Mapper::Options mapper_options_;
   Thinning thinning_{options_.thinning};
   Correction correction_;
+  std::optional<Correction> waiting_;  // for the redraw to end
   std::optional<Mapper> base_;
   std::deque<Entry> log_;
   std::size_t log_bytes_ = 0;
@@ -123,93 +114,6 @@ class Remapper {
   std::optional<Redraw> redraw_;
 };
 
-template <class Mapper>
-std::optional<Outcome> Remapper<Mapper>::observe(Time stamp, const Pose& T_odom_sensor,
-                                                 Observation z, SensorId sensor) {
-  if (!is_valid(T_odom_sensor)) return Outcome::rejected;
-  if (!thinning_.admits(stamp, T_odom_sensor, sensor)) return std::nullopt;
-  Entry entry{stamp, T_odom_sensor, std::move(z)};
-  const Outcome outcome = map_.insert(entry.z, in_map(entry));
-  if (outcome == Outcome::unusable) return outcome;
-  thinning_.remember(stamp, T_odom_sensor, sensor);
-  log_bytes_ += size_of(entry);
-  log_.push_back(std::move(entry));
-  while (static_cast<double>(log_bytes_) > options_.log_budget * 1e6) freeze_oldest();
-  return outcome;
-}
-
-template <class Mapper>
-void Remapper<Mapper>::correct(Correction correction) {
-  const bool was_up_to_date = is_up_to_date();
-  const auto moves = [&](const Entry& entry) {
-    return correction.at(entry.stamp).matrix() != correction_.at(entry.stamp).matrix();
-  };
-  const bool map_moves = std::any_of(log_.begin(), log_.end(), moves);
-  correction_ = std::move(correction);
-  if (was_up_to_date && !map_moves) return;
-  redraw_.emplace(Redraw{base(), 0});
-}
-
-template <class Mapper>
-template <class Predicate>
-bool Remapper<Mapper>::replay(Predicate while_time_is_left) {
-  if (!redraw_) return true;
-  do {
-    if (redraw_->next == log_.size()) {
-      map_ = std::move(redraw_->map);
-      ++generation_;
-      redraw_.reset();
-      return true;
-    }
-    const Entry& entry = log_[redraw_->next++];
-    redraw_->map.insert(entry.z, in_map(entry));
-  } while (while_time_is_left());
-  return false;
-}
-
-template <class Mapper>
-double Remapper<Mapper>::progress() const {
-  if (!redraw_ || log_.empty()) return 1.0;
-  return static_cast<double>(redraw_->next) / static_cast<double>(log_.size());
-}
-
-template <class Mapper>
-void Remapper<Mapper>::restart_from(Mapper map) {
-  Correction correction = std::move(correction_);
-  reset();
-  correction_ = std::move(correction);
-  map_ = map;
-  base_ = std::move(map);
-}
-
-template <class Mapper>
-void Remapper<Mapper>::reset() {
-  const std::size_t generation = generation_ + 1;
-  *this = Remapper(options_, mapper_options_);
-  generation_ = generation;
-}
-
-template <class Mapper>
-void Remapper<Mapper>::freeze() {
-  finish();
-  log_.clear();
-  log_bytes_ = 0;
-  base_ = map_;
-}
-
-template <class Mapper>
-void Remapper<Mapper>::freeze_oldest() {
-  const Entry& oldest = log_.front();
-  if (!base_) base_.emplace(mapper_options_);
-  base_->insert(oldest.z, in_map(oldest));
-  if (redraw_ && redraw_->next == 0) {
-    redraw_->map.insert(oldest.z, in_map(oldest));
-    redraw_->next = 1;
-  }
-  if (redraw_) --redraw_->next;
-  log_bytes_ -= size_of(oldest);
-  log_.pop_front();
-  ++frozen_;
-}
-
 }  // namespace portolan
+
+#include "portolan/remapper_impl.hpp"  // IWYU pragma: export
