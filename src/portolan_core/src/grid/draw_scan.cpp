@@ -15,6 +15,15 @@ namespace {
 // Wedges wider than this are not joined to their neighbours, nor made wider [rad].
 constexpr double kWidest = M_PI / 2.0;
 
+bool is_tilted(const Pose& T_map_sensor, const GridOptions& options) {
+  return std::abs(T_map_sensor(2, 2)) < std::cos(options.max_tilt);
+}
+
+bool may_be_fan(const RangeScan& scan, const GridOptions& options) {
+  return options.laser.beam_model == BeamModel::sector && options.laser.margin == 0.0 &&
+         scan.T_first_last.matrix() == Pose::Identity().matrix();
+}
+
 // One beam, seen from above.
 struct Beam {
   FinePoint origin;         // from the anchor
@@ -42,8 +51,10 @@ class ScanModel {
                    (scan.angle_increment > 0.0 ? 1.0 : -1.0)) {}
 
   Outcome draw(Footprint& footprint) {
-    if (is_tilted(T_map_first_)) return Outcome::rejected;
-    if (is_swept_ && is_tilted(T_map_first_ * scan_.T_first_last)) return Outcome::rejected;
+    if (is_tilted(T_map_first_, options_)) return Outcome::rejected;
+    if (is_swept_ && is_tilted(T_map_first_ * scan_.T_first_last, options_)) {
+      return Outcome::rejected;
+    }
     make_beams();
     if (!footprint.open(anchor_, bounds_.min, bounds_.max)) return Outcome::unusable;
     if (options_.laser.beam_model == BeamModel::ray) {
@@ -56,10 +67,6 @@ class ScanModel {
   }
 
  private:
-  bool is_tilted(const Pose& T_map_sensor) const {
-    return std::abs(T_map_sensor(2, 2)) < std::cos(options_.max_tilt);
-  }
-
   FinePoint at(const Beam& beam, double angle, double range) const {
     const Eigen::Vector2d p = range * (beam.R * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     const FinePoint fine = grid_.point(p.x(), p.y());
@@ -185,8 +192,19 @@ class ScanModel {
 }  // namespace
 
 Outcome draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options,
-             Footprint& footprint) {
+             ScanFan& fan, Footprint& footprint) {
   if (!is_usable(scan)) return Outcome::unusable;
+  if (may_be_fan(scan, options)) {
+    if (is_tilted(T_map_sensor, options)) return Outcome::rejected;
+    switch (fan.draw(scan, T_map_sensor, options, footprint)) {
+      case ScanFan::Result::drawn:
+        return Outcome::inserted;
+      case ScanFan::Result::too_large:
+        return Outcome::unusable;
+      case ScanFan::Result::not_simple:
+        break;
+    }
+  }
   return ScanModel(scan, T_map_sensor, options).draw(footprint);
 }
 

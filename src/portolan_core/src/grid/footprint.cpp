@@ -17,8 +17,8 @@ constexpr int kSide = TileMap::kSide;
 constexpr int kMaxSide = 8500;  // of a window [cell]: keeps the fixed-point numbers below exact
 
 // Crossings are followed in fixed point with so many binary places of a cell. Inside a window two
-// different crossings of edges and centres differ by 2^-33 cells or more; all errors together stay
-// below 2^-36, and so does the nudge that decides exact ties.
+// different crossings of edges and centres differ by 2^-33 cells or more, and all errors together
+// stay below the nudge that decides exact ties.
 constexpr int kPlaces = 49;
 constexpr double kNudge = 0x1p-35;
 
@@ -37,7 +37,7 @@ void walk_rows(FinePoint a, FinePoint b, double offset, Visit visit) {
   const double to_first = row * kFine + kFine / 2 - a.y;
   const double x = (a.x + to_first * slope) / kFine + offset;
   auto position = static_cast<std::int64_t>(x * 0x1p49);
-  const auto step = static_cast<std::int64_t>(std::nearbyint(slope * 0x1p49));
+  const auto step = static_cast<std::int64_t>(slope * 0x1p49);
   for (; row < end; ++row, position += step) visit(row, static_cast<int>(position >> kPlaces));
 }
 

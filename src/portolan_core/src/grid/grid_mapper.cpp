@@ -87,8 +87,13 @@ Outcome GridMapper::insert(const Observation& z, const Pose& T_map_sensor) {
   if (!may_stand_at(T_map_sensor)) return Outcome::rejected;
   GridLayer layer{};
   const auto draw_it = [&](const auto& seen) {
-    layer = kLayerOf<std::decay_t<decltype(seen)>>;
-    return draw(seen, T_map_sensor, options_, footprint_);
+    using Seen = std::decay_t<decltype(seen)>;
+    layer = kLayerOf<Seen>;
+    if constexpr (std::is_same_v<Seen, RangeScan>) {
+      return draw(seen, T_map_sensor, options_, fan_, footprint_);
+    } else {
+      return draw(seen, T_map_sensor, options_, footprint_);
+    }
   };
   const Outcome outcome = std::visit(draw_it, z);
   if (outcome != Outcome::inserted) return outcome;

@@ -3,6 +3,7 @@
 
 #include "portolan/grid/footprint.hpp"
 #include "portolan/grid/grid_options.hpp"
+#include "portolan/grid/scan_fan.hpp"
 #include "portolan/observation/point_cloud.hpp"
 #include "portolan/observation/range_echo.hpp"
 #include "portolan/observation/range_scan.hpp"
@@ -21,7 +22,7 @@ namespace portolan {
 /// Occupied are the echoes' cells and, with a margin, those whose centres lie within it of the echo
 /// in range and half a step in angle. Beams that free less than 1/32 cell free nothing.
 Outcome draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options,
-             Footprint& footprint);
+             ScanFan& fan, Footprint& footprint);
 
 /// An echo within a cone: R_f, R_o and R_u of the chapter, cells judged by their centres.
 Outcome draw(const RangeEcho& echo, const Pose& T_map_sensor, const GridOptions& options,

@@ -21,13 +21,16 @@ class FineGrid {
 
   /// A point so far from its anchor [m].
   FinePoint point(double x, double y) const {
-    return {static_cast<std::int32_t>(std::lround(x * fine_per_metre_)),
-            static_cast<std::int32_t>(std::lround(y * fine_per_metre_))};
+    return {nearest(x * fine_per_metre_), nearest(y * fine_per_metre_)};
   }
 
   std::int64_t length(double metres) const { return std::llround(metres * fine_per_metre_); }
 
  private:
+  static std::int32_t nearest(double value) {
+    return static_cast<std::int32_t>(value + std::copysign(0.5, value));
+  }
+
   double fine_per_metre_;
 };
 

@@ -13,6 +13,7 @@
 #include "portolan/grid/grid_layer.hpp"
 #include "portolan/grid/grid_options.hpp"
 #include "portolan/grid/log_odds.hpp"
+#include "portolan/grid/scan_fan.hpp"
 #include "portolan/grid/tile_map.hpp"
 #include "portolan/observation/point_cloud.hpp"
 #include "portolan/observation/range_echo.hpp"
@@ -87,6 +88,7 @@ class GridMapper {
   std::array<Sheet, kGridLayers.size()> sheets_;
   TileMap latest_;  // 1 + the layer that observed the cell last; kept for Fusion::latest alone
   std::uint64_t revision_ = 0;
+  ScanFan fan_;
   Footprint footprint_;  // empty between insertions
 };
 
