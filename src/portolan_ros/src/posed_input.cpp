@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/posed_input.hpp"
 
+#include <console_bridge/console.h>
 #include <tf2/exceptions.h>
 
 #include <algorithm>
@@ -22,7 +23,18 @@ std::string tenths(double seconds) {
   return text;
 }
 
-/// What tf2 would refuse with a line of log for each one.
+/// Keeps tf2 from writing a line of log for each transform that it refuses: they are counted.
+class SilentTf2 {
+ public:
+  SilentTf2() { console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE); }
+  ~SilentTf2() { console_bridge::setLogLevel(before_); }
+  SilentTf2(const SilentTf2&) = delete;
+  SilentTf2& operator=(const SilentTf2&) = delete;
+
+ private:
+  console_bridge::LogLevel before_ = console_bridge::getLogLevel();
+};
+
 bool is_well_formed(const geometry_msgs::TransformStamped& transform) {
   const std::string parent = ros_convert::without_slash(transform.header.frame_id);
   const std::string child = ros_convert::without_slash(transform.child_frame_id);
@@ -30,17 +42,27 @@ bool is_well_formed(const geometry_msgs::TransformStamped& transform) {
          is_valid(ros_convert::pose(transform.transform));
 }
 
-/// One wild stamp must not pass for the newest: all that follows would seem to run back.
-bool is_far_ahead(const geometry_msgs::TransformStamped& transform, Time now) {
-  return now != Time{} && ros_convert::time(transform.header.stamp) > now + std::chrono::hours(1);
+/// With a quaternion of exact length: tf2 would scale points by what it is off.
+geometry_msgs::TransformStamped normalized(geometry_msgs::TransformStamped transform) {
+  geometry_msgs::Quaternion& q = transform.transform.rotation;
+  const double norm = Eigen::Quaterniond(q.w, q.x, q.y, q.z).norm();
+  q.w /= norm;
+  q.x /= norm;
+  q.y /= norm;
+  q.z /= norm;
+  return transform;
 }
+
+bool is_far_ahead(Time stamp, Time now) {
+  return now != Time{} && stamp > now + std::chrono::hours(1);
+}
+
+bool is_frame_name(const std::string& name) { return !name.empty() && name.front() != '/'; }
 
 }  // namespace
 
 PosedInput::PosedInput(const PosedInputOptions& options)
-    : options_(checked(options)),
-      tf_(ros::Duration(options.tf_buffer)),
-      tf_clock_(seconds(options.tf_buffer)) {
+    : options_(checked(options)), tf_(ros::Duration(options.tf_buffer)) {
   options_.odom_frame = ros_convert::without_slash(options_.odom_frame);
 }
 
@@ -68,10 +90,11 @@ void PosedInput::receive(std::size_t input, Message message, Time now) {
 }
 
 void PosedInput::receive_tf(const tf2_msgs::TFMessage& message, bool is_static, Time now) {
+  const SilentTf2 silence;
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-    const bool good = is_well_formed(transform) && !is_far_ahead(transform, now);
-    if (good && !is_static) note_time_of(transform);
-    if (!good || !tf_.setTransform(transform, kAuthority, is_static)) ++bad_transforms_;
+    const bool good = is_well_formed(transform) && (is_static || is_timely(transform, now)) &&
+                      tf_.setTransform(normalized(transform), kAuthority, is_static);
+    if (!good) ++bad_transforms_;
   }
 }
 
@@ -92,6 +115,7 @@ void PosedInput::receive_odometry(const nav_msgs::Odometry& message, const std::
 }
 
 void PosedInput::poll(Time now) {
+  if (waiting_.empty()) return;
   std::deque<Waiting> still_waiting;
   for (Waiting& waiting : waiting_) {
     if (waiting.since == Time{}) waiting.since = now;  // it came before the first tick of /clock
@@ -111,15 +135,16 @@ void PosedInput::clear() {
   tf_.clear();
   for (const Waiting& waiting : waiting_) tallies_[waiting.input].drop(Drop::time_ran_back);
   waiting_.clear();
-  newest_.clear();
+  seen_.clear();
+  leap_guards_.clear();
 }
 
 bool PosedInput::is_repeated(std::size_t input, const Message& message) {
-  const auto [newest, is_first] = newest_.try_emplace({input, message.frame}, message.first);
-  if (is_first) return false;
-  const bool repeated = newest->second == message.first;
-  newest->second = message.first;
-  return repeated;
+  constexpr std::size_t kRemembered = 256;
+  std::set<Time>& seen = seen_[{input, message.frame}];
+  if (!seen.insert(message.first).second) return true;
+  if (seen.size() > kRemembered) seen.erase(seen.begin());
+  return false;
 }
 
 bool PosedInput::try_to_use(Waiting& waiting) {
@@ -141,15 +166,26 @@ bool PosedInput::try_to_use(Waiting& waiting) {
   return true;
 }
 
-void PosedInput::note_time_of(const geometry_msgs::TransformStamped& transform) {
-  if (!tf_clock_.ran_back(ros_convert::time(transform.header.stamp))) return;
-  tf_ran_back_ = true;
-  clear();  // tf2 would refuse the new transforms for being older than its memory
+bool PosedInput::is_timely(const geometry_msgs::TransformStamped& transform, Time now) {
+  const Time stamp = ros_convert::time(transform.header.stamp);
+  if (stamp == Time{} || is_far_ahead(stamp, now)) return false;
+  const std::string child = ros_convert::without_slash(transform.child_frame_id);
+  const auto guard = leap_guards_.try_emplace(child, seconds(options_.tf_buffer)).first;
+  const StampVerdict verdict = guard->second.judge(stamp);
+  if (verdict == StampVerdict::ran_back) {
+    tf_ran_back_ = true;
+    clear();  // tf2 would refuse the new transforms for being older than its memory
+  }
+  return verdict != StampVerdict::doubtful;
 }
 
 std::optional<Pose> PosedInput::look_up(const std::string& frame, Time stamp) const {
+  const ros::Time time = ros_convert::time(stamp);
+  // Asking first is far cheaper than an exception for each message that waits, at each transform.
+  if (!is_frame_name(frame) || !tf_.canTransform(options_.odom_frame, frame, time)) {
+    return std::nullopt;
+  }
   try {
-    const ros::Time time = ros_convert::time(stamp);
     return ros_convert::pose(tf_.lookupTransform(options_.odom_frame, frame, time).transform);
   } catch (const tf2::TransformException&) {
     return std::nullopt;
@@ -159,6 +195,10 @@ std::optional<Pose> PosedInput::look_up(const std::string& frame, Time stamp) co
 std::string PosedInput::why_not(const Message& message) const {
   const std::string& odom = options_.odom_frame;
   const std::string arrow = odom + " <- " + message.frame;
+  if (!is_frame_name(message.frame)) return "they name no frame";
+  for (const std::string& frame : {odom, message.frame}) {
+    if (!tf_._frameExists(frame)) return "no transform " + arrow + ": tf knows no frame " + frame;
+  }
   try {
     const ros::Time newest = tf_.lookupTransform(odom, message.frame, ros::Time(0)).header.stamp;
     const double gap = to_seconds(message.last - ros_convert::time(newest));

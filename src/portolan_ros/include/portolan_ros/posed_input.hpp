@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +19,8 @@
 #include "portolan/outcome.hpp"
 #include "portolan/pose.hpp"
 #include "portolan/time.hpp"
-#include "portolan_ros/clock_guard.hpp"
 #include "portolan_ros/health.hpp"
+#include "portolan_ros/leap_guard.hpp"
 
 namespace portolan {
 
@@ -40,6 +41,7 @@ struct PosedInputOptions {
     visit("tf_buffer", self.tf_buffer, "how much of tf is remembered [s]", within(1.0, 3600.0));
     visit("queue_size", self.queue_size, "messages that may wait for their transform",
           within(1, 100000));
+    visit.require(!self.odom_frame.empty(), "odom_frame must not be empty");
   }
 };
 
@@ -76,9 +78,10 @@ class PosedInput {
   /// A message: it is used at once where tf is there, else by `poll`, later.
   void receive(std::size_t input, Message message, Time now);
 
-  /// Takes transforms. Malformed ones, and stamps over an hour ahead, are counted and left out.
-  /// Where their stamps run back by more than is remembered, as when a bag loops without a clock,
-  /// it starts to remember anew.
+  /// Takes transforms. Malformed and repeated ones, moving ones without a stamp, and stamps over
+  /// an hour ahead are counted and left out; so is a lone stamp that leaps away from those before
+  /// it by more than is remembered. Where a second one leaps to the same time, back, as when a bag
+  /// loops without a clock, it starts to remember anew.
   void receive_tf(const tf2_msgs::TFMessage& message, bool is_static, Time now);
 
   /// Takes odometry as a transform, for robots that send no tf. Empty frames are filled in.
@@ -104,7 +107,7 @@ class PosedInput {
     Time since;
   };
 
-  void note_time_of(const geometry_msgs::TransformStamped& transform);
+  bool is_timely(const geometry_msgs::TransformStamped& transform, Time now);
   bool is_repeated(std::size_t input, const Message& message);
   bool try_to_use(Waiting& waiting);
   std::optional<Pose> look_up(const std::string& frame, Time stamp) const;
@@ -113,11 +116,11 @@ class PosedInput {
 
   PosedInputOptions options_;
   tf2::BufferCore tf_;
-  ClockGuard tf_clock_;
+  std::map<std::string, LeapGuard> leap_guards_;  // by child frame
   bool tf_ran_back_ = false;
   std::vector<Tally> tallies_;
-  std::map<std::pair<std::size_t, std::string>, Time> newest_;  // by input and frame
-  std::deque<Waiting> waiting_;                                 // by stamp, then by arrival
+  std::map<std::pair<std::size_t, std::string>, std::set<Time>> seen_;  // by input and frame
+  std::deque<Waiting> waiting_;                                         // by stamp, then by arrival
   std::size_t bad_transforms_ = 0;
 };
 

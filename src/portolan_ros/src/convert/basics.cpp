@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/convert/basics.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace portolan::ros_convert {
@@ -43,8 +45,10 @@ Time time(const ros::Time& stamp) {
 }
 
 ros::Time time(Time stamp) {
+  const Time most = time(ros::TIME_MAX);
   ros::Time message;
-  message.fromNSec(static_cast<std::uint64_t>(stamp.time_since_epoch().count()));
+  message.fromNSec(
+      static_cast<std::uint64_t>(std::clamp(stamp, Time{}, most).time_since_epoch().count()));
   return message;
 }
 

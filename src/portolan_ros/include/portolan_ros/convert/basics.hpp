@@ -13,6 +13,7 @@
 namespace portolan::ros_convert {
 
 Time time(const ros::Time& stamp);
+/// The nearest stamp that a message can hold: none lies before 1970 or after 2106.
 ros::Time time(Time stamp);
 
 geometry_msgs::Pose pose(const Pose& pose);
