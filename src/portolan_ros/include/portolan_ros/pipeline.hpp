@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -24,6 +25,8 @@ class Pipeline {
   /// Throws OptionsError.
   Pipeline(const PipelineOptions& options, const typename Mapper::Options& mapper_options)
       : options_(options), posed_(options.posing), remapper_(options.remapper, mapper_options) {}
+  Pipeline(const Pipeline&) = delete;  // messages that wait call back into this object
+  Pipeline& operator=(const Pipeline&) = delete;
 
   /// Opens an input; gives its number.
   std::size_t add_input(const std::string& noun) { return posed_.add_input(noun); }
@@ -33,24 +36,23 @@ class Pipeline {
   void receive(std::size_t input, std::optional<Sensed<SensorReading>> sensed, Time now);
 
   void receive_tf(const tf2_msgs::TFMessage& message, bool is_static, Time now) {
+    check_clock(now);
     posed_.receive_tf(message, is_static, now);
     if (posed_.transforms_ran_back()) forget_for_time_jump();
-    poll(now);
+    posed_.poll(now);
   }
 
   void receive_odometry(const nav_msgs::Odometry& message, Time now) {
+    check_clock(now);
     posed_.receive_odometry(message, options_.base_frame, now);
     if (posed_.transforms_ran_back()) forget_for_time_jump();
-    poll(now);
+    posed_.poll(now);
   }
 
-  /// To be called before each message and now and then: notices a clock that ran back, and uses
-  /// or drops what waits for tf.
+  /// To be called now and then: notices a clock that ran back, and uses or drops what waits for
+  /// tf.
   void poll(Time now) {
-    if (clock_.ran_back(now)) {
-      posed_.clear();
-      forget_for_time_jump();
-    }
+    check_clock(now);
     posed_.poll(now);
   }
 
@@ -60,6 +62,13 @@ class Pipeline {
   std::size_t time_jumps() const { return time_jumps_; }
 
  private:
+  /// To be called before a message is taken, which belongs to the new time.
+  void check_clock(Time now) {
+    if (!clock_.ran_back(now)) return;
+    posed_.clear();
+    forget_for_time_jump();
+  }
+
   void forget_for_time_jump() {
     ++time_jumps_;
     if (options_.on_time_jump == OnTimeJump::reset) {
@@ -97,7 +106,7 @@ void Pipeline<Kind>::receive(std::size_t input, std::optional<Sensed<SensorReadi
                              Time now) {
   poll(now);
   if (!sensed) return posed_.receive_malformed(input);
-  const SensorId sensor = sensor_id(input, sensed->frame);
+  const SensorId sensor = sensor_id(input, ros_convert::without_slash(sensed->frame));
   PosedInput::Message message{sensed->frame, sensed->first, sensed->last, {}};
   message.use = [this, sensor, stamp = sensed->first,
                  z = std::move(sensed->z)](const PosedInput::SensorPose& pose) mutable {
