@@ -53,14 +53,12 @@ std::string Tally::sentence() const {
   std::string separator = ": ";
   for (std::size_t i = 0; i < dropped_.size(); ++i) {
     if (dropped_[i] == 0) continue;
-    const bool is_all = dropped_[i] == received_ && !details_[i].empty();
-    text += separator;
-    if (is_all) {
-      text += details_[i];
-    } else {
-      text += std::to_string(dropped_[i]) + " " + words(static_cast<Drop>(i));
-      if (!details_[i].empty()) text += " (" + details_[i] + ")";
+    // One reason for all: what still waits will hardly fare better.
+    if (dropped_[i] + waiting() == received_ && !details_[i].empty()) {
+      return text + ": " + details_[i];
     }
+    text += separator + std::to_string(dropped_[i]) + " " + words(static_cast<Drop>(i));
+    if (!details_[i].empty()) text += " (" + details_[i] + ")";
     separator = ", ";
   }
   if (waiting() > 0) text += separator + std::to_string(waiting()) + " waiting for tf";
