@@ -20,6 +20,26 @@ std::size_t area(std::size_t width, std::size_t height) {
   return width * height;
 }
 
+/// The part of a line that lies in the picture, by fractions of its length.
+struct Part {
+  double from = 0.0;
+  double to = 1.0;
+
+  double length() const { return to - from; }
+
+  /// Cuts off where begin + fraction * way lies outside of [0, end].
+  void cut(double begin, double way, double end) {
+    if (way == 0.0) {
+      if (begin < 0.0 || begin > end) to = -1.0;
+      return;
+    }
+    const double at_0 = -begin / way;
+    const double at_end = (end - begin) / way;
+    from = std::max(from, std::min(at_0, at_end));
+    to = std::min(to, std::max(at_0, at_end));
+  }
+};
+
 }  // namespace
 
 Picture::Picture(std::size_t width, std::size_t height, Colour background)
@@ -33,19 +53,24 @@ void Picture::set(std::int64_t column, std::int64_t row, Colour colour) {
 }
 
 void Picture::line(double column_0, double row_0, double column_1, double row_1, Colour colour) {
-  const double longer = std::max(std::abs(column_1 - column_0), std::abs(row_1 - row_0));
-  const double most = 2.0 * static_cast<double>(width() + height());
-  if (!(longer <= most)) return;
-  const int steps = std::max(1, static_cast<int>(std::ceil(longer)));
-  for (int i = 0; i <= steps; ++i) {
-    const double f = static_cast<double>(i) / steps;
-    set(std::llround(std::floor(column_0 + f * (column_1 - column_0))),
-        std::llround(std::floor(row_0 + f * (row_1 - row_0))), colour);
+  const double columns = column_1 - column_0;
+  const double rows = row_1 - row_0;
+  if (!std::isfinite(columns) || !std::isfinite(rows)) return;
+  Part seen;
+  seen.cut(column_0, columns, static_cast<double>(width()));
+  seen.cut(row_0, rows, static_cast<double>(height()));
+  const double longer = std::max(std::abs(columns), std::abs(rows));
+  const auto steps = std::max<std::int64_t>(1, std::llround(std::ceil(longer * seen.length())));
+  for (std::int64_t i = 0; seen.length() >= 0.0 && i <= steps; ++i) {
+    const double f =
+        seen.from + seen.length() * static_cast<double>(i) / static_cast<double>(steps);
+    set(std::llround(std::floor(column_0 + f * columns)),
+        std::llround(std::floor(row_0 + f * rows)), colour);
   }
 }
 
 Picture Picture::enlarged(std::size_t factor) const {
-  Picture large(width() * factor, height() * factor, {});
+  Picture large(area(width(), factor), area(height(), factor), {});
   for (std::size_t row = 0; row < large.height(); ++row) {
     for (std::size_t column = 0; column < large.width(); ++column) {
       large.pixels_[row * large.width() + column] =
