@@ -57,10 +57,13 @@ std::optional<Coordinate> coordinate(const PointCloud2& message, const std::stri
   return std::nullopt;
 }
 
+bool is_empty(const PointCloud2& message) { return message.width == 0 || message.height == 0; }
+
+/// So there are no more points than bytes of data: no size can make us ask for absurd memory.
 bool sizes_fit(const PointCloud2& message) {
   const std::uint64_t row = std::uint64_t{message.width} * message.point_step;
-  if (message.width == 0 || message.height == 0) return true;
-  return message.point_step > 0 && row <= message.row_step &&
+  if (is_empty(message)) return true;
+  return row <= message.row_step &&
          std::uint64_t{message.row_step} * (message.height - 1) + row <= message.data.size();
 }
 
@@ -71,9 +74,10 @@ std::optional<Sensed<PointCloud>> point_cloud(const PointCloud2& message) {
   const auto y = coordinate(message, "y");
   const auto z = coordinate(message, "z");
   if (!x || !y || !z || !sizes_fit(message)) return std::nullopt;
+  const std::size_t height = is_empty(message) ? 0 : message.height;
   PointCloud cloud;
-  cloud.points.reserve(std::size_t{message.width} * message.height);
-  for (std::size_t row = 0; row < message.height; ++row) {
+  cloud.points.reserve(message.width * height);
+  for (std::size_t row = 0; row < height; ++row) {
     const std::uint8_t* point = message.data.data() + row * message.row_step;
     for (std::size_t column = 0; column < message.width; ++column, point += message.point_step) {
       const Eigen::Vector3f p((*x)(point), (*y)(point), (*z)(point));
