@@ -115,6 +115,13 @@ CalibrationPrior read_calibration(const YAML::Node& node, CalibrationPrior prior
   return prior;
 }
 
+double read_drift(const YAML::Node& node, double otherwise) {
+  if (!node.IsDefined()) return otherwise;
+  const double drift = finite_number(node, "drift");
+  require(drift >= 0.0, "drift must be at least 0");
+  return drift;
+}
+
 BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
   require(root.IsMap() && root["version"].IsDefined(), "no version: not a map of beacons");
   require(root["version"].as<int>() == kVersion, "version must be " + std::to_string(kVersion));
@@ -126,8 +133,9 @@ BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
     const std::string name = "beacon " + std::to_string(id);
     require(tracks.emplace(id, read_track(node, name, options)).second, name + " is there twice");
   }
-  const CalibrationPrior prior = BeaconMapper(options).knowledge();
-  return BeaconMapper::restored(options, read_calibration(root["calibration"], prior),
+  const BeaconMapper fresh(options);
+  const CalibrationPrior prior = read_calibration(root["calibration"], fresh.knowledge());
+  return BeaconMapper::restored(options, prior, read_drift(root["drift"], fresh.drift()),
                                 std::move(tracks));
 }
 
@@ -136,6 +144,7 @@ BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
 std::string to_yaml(const BeaconMapper& mapper) {
   const CalibrationPrior known = mapper.knowledge();
   std::string text = "version: " + std::to_string(kVersion) +
+                     "\ndrift: " + format_double(mapper.drift()) +
                      "\ncalibration:\n  scale: " + format_double(known.scale) +
                      "\n  bias: " + format_double(known.bias) +
                      "\n  information: " + listed(known.information) + "\nbeacons:";

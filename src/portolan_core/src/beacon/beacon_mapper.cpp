@@ -36,7 +36,7 @@ Eigen::Vector3d antenna(const Pose& T_map_sensor, const BeaconOptions& options) 
 }  // namespace
 
 BeaconMapper::BeaconMapper(const Options& options)
-    : options_(checked(options)), prior_(prior_of(options.calibration)) {}
+    : options_(checked(options)), prior_(prior_of(options.calibration)), drift_(options.drift) {}
 
 Outcome BeaconMapper::insert(const BeaconRanges& z, const Pose& T_map_sensor) {
   const Eigen::Vector3d p_map = antenna(T_map_sensor, options_);
@@ -56,10 +56,23 @@ bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
   }
   const PosedRange range{p_map, z.range, z.stddev > 0.0 ? z.stddev : options_.stddev};
   const CalibrationFactor others = evidence_ - track->second.contribution();
-  track->second.update(range, prior_, others, options_);
+  track->second.update(range, prior_, others, drift_, options_);
+  if (options_.learn_drift) learn_drift(track->second.lag());
   evidence_ = others + track->second.contribution();
   ++counts_.taken;
   return true;
+}
+
+// Innovations of a filter that believes in the right drift are white (Mehra 1970): raise it while
+// two that follow each other agree in sign, lower it while they do not.
+void BeaconMapper::learn_drift(double lag) {
+  constexpr double kGain = 0.05;
+  constexpr double kTolerated = 0.15;  // geometry and reflections correlate innovations as well
+  constexpr double kLeast = 0.0025;    // of the drift that the options state
+  constexpr double kMost = 50.0;
+  if (lag == 0.0) return;
+  drift_ = std::clamp(drift_ * std::exp(kGain * (lag - kTolerated)), kLeast * options_.drift,
+                      kMost * options_.drift);
 }
 
 CalibrationPrior BeaconMapper::knowledge() const {
@@ -86,16 +99,19 @@ std::vector<BeaconEstimate> BeaconMapper::estimates() const {
       return a.weight > b.weight;
     };
     std::stable_sort(estimate.modes.begin(), estimate.modes.end(), heavier);
-    estimate.direction = direction_to_drive(estimate.modes, track.last_p_map(), options_);
+    if (track.last_p_map()) {
+      estimate.direction = direction_to_drive(estimate.modes, *track.last_p_map(), options_);
+    }
     all.push_back(std::move(estimate));
   }
   return all;
 }
 
 BeaconMapper BeaconMapper::restored(const Options& options, const CalibrationPrior& prior,
-                                    std::map<BeaconId, BeaconTrack> tracks) {
+                                    double drift, std::map<BeaconId, BeaconTrack> tracks) {
   BeaconMapper mapper(options);
   mapper.prior_ = prior;
+  mapper.drift_ = drift;
   mapper.tracks_ = std::move(tracks);
   for (const auto& [id, track] : mapper.tracks_) mapper.counts_.taken += track.ranges();
   return mapper;

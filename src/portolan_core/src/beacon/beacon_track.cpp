@@ -21,12 +21,13 @@ bool lighter(const Hypothesis& a, const Hypothesis& b) { return a.log_weight < b
 }  // namespace
 
 void BeaconTrack::update(const PosedRange& z, const CalibrationPrior& prior,
-                         const CalibrationFactor& others, const BeaconOptions& options) {
+                         const CalibrationFactor& others, double drift,
+                         const BeaconOptions& options) {
   ++ranges_;
   if (hypotheses_.empty()) {
     start(z, prior.given(others), options);
   } else {
-    forget(z, options);
+    forget(z, drift, options);
     weigh(z, prior, others, options);
     const double p_right = normalize_and_prune(options);
     merge_close(options.merge_distance, ranges_, hypotheses_);
@@ -69,9 +70,9 @@ void BeaconTrack::start(const PosedRange& z, const RangeCalibration& calibration
 }
 
 // Poses drift as the robot drives, and with them where the beacon seems to be.
-void BeaconTrack::forget(const PosedRange& z, const BeaconOptions& options) {
-  if (options.drift == 0.0) return;
-  const double variance = options.drift * options.drift * (z.p_map - last_p_map_).norm();
+void BeaconTrack::forget(const PosedRange& z, double drift, const BeaconOptions& options) {
+  if (drift == 0.0 || !last_p_map_) return;
+  const double variance = drift * drift * (z.p_map - *last_p_map_).norm();
   for (Hypothesis& h : hypotheses_) {
     h.Q(0, 0) += variance;
     h.Q(1, 1) += variance;
@@ -82,12 +83,17 @@ void BeaconTrack::forget(const PosedRange& z, const BeaconOptions& options) {
 void BeaconTrack::weigh(const PosedRange& z, const CalibrationPrior& prior,
                         const CalibrationFactor& others, const BeaconOptions& options) {
   fits_.clear();
+  const double last = surprise_;
+  surprise_ = 0.0;
+  lag_ = 0.0;
   for (Hypothesis& h : hypotheses_) {
     const RangeCalibration calibration = prior.given(others + h.calibration);
     const RangeFit fit = update_hypothesis(z, calibration, options.outliers, origin_, h);
     h.log_weight += fit.log_likelihood;
+    if (fits_.size() == best_ && !is_ambiguous_) surprise_ = std::clamp(fit.surprise, -2.0, 2.0);
     fits_.push_back(fit.p_right);
   }
+  lag_ = last * surprise_;
 }
 
 // Returns P(the last range was right).

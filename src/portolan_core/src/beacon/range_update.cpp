@@ -24,7 +24,7 @@ RangeFit fit_of(double innovation, double variance, const RangeOutlierOptions& o
   const double right =
       (1.0 - outliers.share) * std::exp(-exponent - kLogRootTwoPi) / std::sqrt(variance);
   const double wrong = outliers.share * wrong_density(innovation, outliers);
-  return {std::log(right + wrong), right / (right + wrong)};
+  return {std::log(right + wrong), innovation / std::sqrt(variance), right / (right + wrong)};
 }
 
 }  // namespace

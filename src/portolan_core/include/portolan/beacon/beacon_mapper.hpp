@@ -41,20 +41,25 @@ class BeaconMapper {
   /// The same in the form in which a mapper can go on from it.
   CalibrationPrior knowledge() const;
 
+  /// How far poses drift per root of the way travelled, as learnt so far [m/sqrt(m)].
+  double drift() const { return drift_; }
+
   const BeaconCounts& counts() const { return counts_; }
   const Options& options() const { return options_; }
 
-  /// A mapper that goes on from saved tracks and from what was known of the calibration.
-  static BeaconMapper restored(const Options& options, const CalibrationPrior& prior,
+  /// A mapper that goes on from saved tracks and from what was known of calibration and drift.
+  static BeaconMapper restored(const Options& options, const CalibrationPrior& prior, double drift,
                                std::map<BeaconId, BeaconTrack> tracks);
 
  private:
+  void learn_drift(double lag);
   bool take(const BeaconRange& z, const Eigen::Vector3d& p_map);
 
   Options options_;
   CalibrationPrior prior_;
   CalibrationFactor evidence_;  // the sum of the tracks' contributions
   std::map<BeaconId, BeaconTrack> tracks_;
+  double drift_;
   BeaconCounts counts_;
 };
 

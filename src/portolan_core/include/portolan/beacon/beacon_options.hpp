@@ -81,8 +81,9 @@ struct BeaconRestartOptions {
 struct BeaconOptions {
   BeaconSpace space = BeaconSpace::planar;
   BeaconParametrization parametrization = BeaconParametrization::cartesian_mixture;
-  double stddev = 0.1;
-  double drift = 0.0;
+  double stddev = 0.3;
+  double drift = 0.05;
+  bool learn_drift = true;
   double height = 0.0;
   double elevation_min = -1.5707963267948966;
   double elevation_max = 1.5707963267948966;
@@ -102,6 +103,8 @@ struct BeaconOptions {
     visit("stddev", self.stddev, "of ranges that state none [m]", above(0.0));
     visit("drift", self.drift, "how far poses drift per root of the way travelled [m/sqrt(m)]",
           at_least(0.0));
+    visit("learn_drift", self.learn_drift,
+          "take that as a first guess and learn it from the ranges; off for poses known exactly");
     visit("height", self.height, "of the beacons above the antenna, where the space is planar [m]");
     visit("elevation_min", self.elevation_min,
           "of beacons seen from the antenna, where the space is spatial [rad]",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "portolan/beacon/beacon_options.hpp"
@@ -14,7 +15,11 @@ class BeaconTrack {
  public:
   /// Takes the next range. `others` is the calibration's prior and what the other beacons say.
   void update(const PosedRange& z, const CalibrationPrior& prior, const CalibrationFactor& others,
-              const BeaconOptions& options);
+              double drift, const BeaconOptions& options);
+
+  /// Innovations of the last two ranges in standard deviations, multiplied: 0 on average where
+  /// nothing drifts, above where places lag behind. 0 while ambiguous.
+  double lag() const { return lag_; }
 
   /// Never empty after the first range; the heaviest may stand anywhere. Weights sum to 1.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
@@ -32,8 +37,9 @@ class BeaconTrack {
   std::size_t outliers() const { return outliers_; }
   std::size_t restarts() const { return restarts_; }
 
-  /// The antenna at the last range [m], and at the first, the origin of polar places.
-  const Eigen::Vector3d& last_p_map() const { return last_p_map_; }
+  /// The antenna at the last range [m], none since the track was restored; and at the first, the
+  /// origin of polar places.
+  const std::optional<Eigen::Vector3d>& last_p_map() const { return last_p_map_; }
   const Eigen::Vector3d& origin() const { return origin_; }
 
   /// A track that was saved: Gaussians x, y, z with their weights, and its counts.
@@ -44,7 +50,7 @@ class BeaconTrack {
  private:
   void start(const PosedRange& z, const RangeCalibration& calibration,
              const BeaconOptions& options);
-  void forget(const PosedRange& z, const BeaconOptions& options);
+  void forget(const PosedRange& z, double drift, const BeaconOptions& options);
   void weigh(const PosedRange& z, const CalibrationPrior& prior, const CalibrationFactor& others,
              const BeaconOptions& options);
   double normalize_and_prune(const BeaconOptions& options);
@@ -57,7 +63,9 @@ class BeaconTrack {
   bool is_ambiguous_ = true;
   CalibrationFactor contribution_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d last_p_map_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> last_p_map_;
+  double lag_ = 0.0;
+  double surprise_ = 0.0;
   double fit_ = 0.0;  // recent mean of that
   std::size_t ranges_ = 0;
   std::size_t outliers_ = 0;

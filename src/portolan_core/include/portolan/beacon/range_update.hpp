@@ -9,6 +9,7 @@ namespace portolan {
 /// How well a hypothesis explained a range.
 struct RangeFit {
   double log_likelihood = 0.0;  ///< ln p(z | hypothesis), Eq. 39, wrong ranges included
+  double surprise = 0.0;        ///< innovation in standard deviations
   double p_right = 1.0;         ///< P(the range was no outlier | z, hypothesis)
 };
 
