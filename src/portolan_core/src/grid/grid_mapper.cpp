@@ -40,6 +40,13 @@ void for_each_tile(const CellRect& rect, Visit visit) {
   }
 }
 
+template <class Visit>
+void for_each_cell(const CellRect& rect, Visit visit) {
+  for (int y = rect.min.y; y < rect.max.y; ++y) {
+    for (int x = rect.min.x; x < rect.max.x; ++x) visit(Cell{x, y});
+  }
+}
+
 // P(occupied) in percent of every byte.
 std::array<std::int8_t, 256> percent_table(const LogOdds& log_odds) {
   std::array<std::int8_t, 256> percent;
@@ -81,6 +88,22 @@ GridMapper::GridMapper(const Options& options) : options_(checked(options)), log
   sheets_[index(GridLayer::laser)].update = log_odds_.update(options_.laser);
   sheets_[index(GridLayer::sonar)].update = log_odds_.update(options_.sonar);
   sheets_[index(GridLayer::cloud)].update = log_odds_.update(options_.cloud);
+}
+
+GridMapper::GridMapper(const Options& options, const LayerCells& layers) : GridMapper(options) {
+  ++revision_;
+  for (const auto& [layer, cells] : layers) {
+    Sheet& sheet = sheets_[index(layer)];
+    const auto set = [&, &probability = cells.probability, this](Cell cell) {
+      const std::optional<double> p = probability(cell);
+      if (!p) return;
+      TileMap::Tile& tile = sheet.tiles.at(tile_of(cell));
+      tile.revision = revision_;
+      tile.row(cell.y & (kSide - 1))[cell.x & (kSide - 1)] = log_odds_.byte(*p);
+    };
+    for_each_cell(cells.rect, set);
+    sheet.bounds = cells.rect;
+  }
 }
 
 Outcome GridMapper::insert(const Observation& z, const Pose& T_map_sensor) {

@@ -5,15 +5,11 @@
 #include <vector>
 
 #include "portolan/grid/cell.hpp"
+#include "portolan/grid/cell_rows.hpp"
+#include "portolan/grid/fine_walk.hpp"
 #include "portolan/grid/tile_map.hpp"
 
 namespace portolan {
-
-/// A point of the plane in 1/1024 of a cell's side, counted from an anchor.
-struct FinePoint {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-};
 
 /// The cells that one observation frees and those that it occupies, as bits; drawn here first, then
 /// put into a map, so that each cell is updated at most once and occupied wins over free.
@@ -23,8 +19,8 @@ struct FinePoint {
 /// edge is in and on a right or upper one is not.
 class Footprint {
  public:
-  static constexpr int kFineLog2 = 10;
-  static constexpr int kFine = 1 << kFineLog2;
+  static constexpr int kFineLog2 = FinePoint::kCellLog2;
+  static constexpr int kFine = FinePoint::kCell;
 
   /// The anchor that all points are counted from, in 1/1024 of a cell from the map's origin.
   struct Anchor {
@@ -75,13 +71,21 @@ class Footprint {
   }
   void toggle_from(int column, int row) {
     word(toggled_, column, row) ^= ~Word{0} << (column & 63);
+    is_toggled_[tile_at(column, row)] = 1;
   }
-  void toggle(FinePoint a, FinePoint b);
+  std::size_t tile_at(int column, int row) const {
+    return static_cast<std::size_t>((column >> 6) * (rows_ >> 6) + (row >> 6));
+  }
+  void toggle(FinePoint a, FinePoint b) {
+    // The first column whose centre lies at x or right of it is ceil(x - 1/2).
+    fine_walk::walk_rows(in_window(a), in_window(b), 0.5 - fine_walk::kNudge,
+                         [this](int row, int column) { toggle_from(column, row); });
+  }
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
   void toggle_disc(std::int64_t radius);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
-  void apply_tile(TileMap& map, int strip, int first_row, const CellUpdate& update,
-                  std::uint64_t revision);
+  bool take_bits(int strip, int band);
+  void take_toggled(Word* toggled);
 
   CellRect covered_;  // in the map
   Cell tile_;         // index of the window's lowest tile
@@ -92,7 +96,15 @@ class Footprint {
   std::vector<Word> toggled_;  // is the number of edges left of the cell odd?
   std::vector<Word> free_;
   std::vector<Word> occupied_;
-  std::vector<Word> carry_;  // by row: the parity left of the strip
+  // By tile: does the plane hold something there?
+  std::vector<std::uint8_t> is_toggled_;
+  std::vector<std::uint8_t> is_free_;
+  std::vector<std::uint8_t> is_occupied_;
+  // Of the tile that is put into the map.
+  TileBits carry_{};  // by row: the parity left of it
+  bool carries_ = false;
+  TileBits freed_{};
+  TileBits hit_{};
   std::vector<Span> spans_;  // by row: of the cone
 };
 

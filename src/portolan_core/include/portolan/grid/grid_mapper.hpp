@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -26,6 +28,13 @@ namespace portolan {
 /// What the observation occupies in memory [byte].
 std::size_t byte_size(const std::variant<RangeScan, RangeEcho, PointCloud>& z);
 
+/// Cells to start a map from: a rectangle, and P(occupied) of each cell in it, none if unknown.
+struct GridCells {
+  CellRect rect;
+  std::function<std::optional<double>(Cell)> probability;
+};
+using LayerCells = std::map<GridLayer, GridCells>;
+
 /// Where the plane is free and where something stands, cell by cell, from scans, cones and clouds:
 /// the occupancy grid of Eqs. 2-8.
 ///
@@ -38,6 +47,9 @@ class GridMapper {
 
   /// Throws OptionsError with every fault at once.
   explicit GridMapper(const Options& options);
+
+  /// The same, starting from these cells instead of nothing.
+  GridMapper(const Options& options, const LayerCells& layers);
 
   /// Updates each cell that the observation frees or occupies once, Eq. 7; draw.hpp says which.
   /// Poses are projected to the plane. Rejected: a pose that is not finite and rigid, stands beyond

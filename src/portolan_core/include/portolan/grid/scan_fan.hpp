@@ -31,36 +31,37 @@ class ScanFan {
     FinePoint a;
     FinePoint b;  // with the sensor they are the corners of a sector
   };
-  struct Direction {
-    double x;
-    double y;
-  };
-
   void look_up_directions(const RangeScan& scan);
-  void place_ends(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options);
+  void look_up_ranges(const RangeScan& scan, const GridOptions& options);
+  void place_ends(const Pose& T_map_sensor, const GridOptions& options);
   void make_outline(const RangeScan& scan);
   void add_between(std::size_t i, std::size_t next);
   void add_half(std::size_t i, double side);
-  void add_rim(FinePoint a, FinePoint b);
-  bool frees(std::size_t i) const { return free_range_[i] > 0.0; }
+  void check_rim(FinePoint a, FinePoint b);
+  bool frees(std::size_t i) const { return range_[i] >= least_range_; }
+  FinePoint end(std::size_t i) const { return {end_x_[i], end_y_[i]}; }
 
   // Directions of the beams, of the scan that they were made for.
   double angle_min_ = 0.0;
   double angle_increment_ = 0.0;
-  std::vector<Direction> directions_;
+  std::vector<double> direction_x_;
+  std::vector<double> direction_y_;
 
   // Of the scan at hand.
   FineGrid grid_{1.0};
   Eigen::Matrix2d R_ = Eigen::Matrix2d::Identity();  // turns and projects
   double half_cosine_ = 1.0;                         // of half a step
   double half_sine_ = 0.0;
-  double turn_ = 1.0;               // +1 where beams follow counter-clockwise in the map, else -1
-  std::vector<double> free_range_;  // [m]
-  std::vector<FinePoint> ends_;
-  std::vector<FinePoint> echoes_;
-  std::vector<Edge> outline_;
-  std::vector<Edge> overlapping_;  // sectors that may lie upon those within the outline
-  std::size_t outlined_ = 0;       // so many beams are in the outline
+  double turn_ = 1.0;          // +1 where beams follow counter-clockwise in the map, else -1
+  std::vector<double> range_;  // [m]; 0: says nothing
+  double least_range_ = 0.0;   // what frees less than this frees nothing [m]
+  std::vector<std::uint8_t> is_echo_;
+  std::vector<std::int32_t> end_x_;
+  std::vector<std::int32_t> end_y_;
+  std::vector<std::uint8_t> is_rim_;  // from this beam to the next one runs the outline
+  std::vector<Edge> outline_;         // the rest of it: where chains of sectors end
+  std::vector<Edge> overlapping_;     // sectors that may lie upon those within the outline
+  std::size_t outlined_ = 0;          // so many beams are in the outline
   FineBounds bounds_;
   bool is_simple_ = true;  // no sector of the outline lies upon another one
 };
