@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "publishers.hpp"
+
+#include <rosgraph_msgs/Clock.h>
+#include <std_msgs/Bool.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <utility>
+
+#include "event_messages.hpp"
+#include "portolan_ros/convert/basics.hpp"
+
+namespace portolan::sim {
+
+namespace {
+
+/// As tf has it.
+geometry_msgs::TransformStamped transform_of(const std_msgs::Header& header,
+                                             const std::string& child, const Pose& pose) {
+  geometry_msgs::TransformStamped transform;
+  transform.header = header;
+  transform.child_frame_id = child;
+  transform.transform = ros_convert::transform(pose);
+  return transform;
+}
+
+/// The topic of the camera's calibration: camera_info beside its features.
+std::string info_topic(const std::string& features) {
+  return features.substr(0, features.rfind('/') + 1) + "camera_info";
+}
+
+template <class Sensor>
+using MessageOf =
+    decltype(message(std_msgs::Header{},
+                     std::declval<Sensor&>().sense(std::declval<World>(), std::declval<Pose>())));
+
+}  // namespace
+
+Publishers::Publishers(ros::NodeHandle handle, const RobotSimOptions& options,
+                       const std::vector<AnySensor>& sensors)
+    : handle_(std::move(handle)), options_(options) {
+  if (options.publish_clock) advertise<rosgraph_msgs::Clock>("/clock");
+  advertise<tf2_msgs::TFMessage>("/tf");
+  advertise<tf2_msgs::TFMessage>("/tf_static", true);
+  advertise<nav_msgs::Odometry>("odom");
+  advertise<nav_msgs::Odometry>("ground_truth");
+  advertise<std_msgs::Bool>("path_finished", true);
+  const auto advertise_sensor = [this](const auto& sensor) {
+    using Sensor = std::decay_t<decltype(sensor)>;
+    const std::string& topic = sensor.options().topic;
+    if constexpr (std::is_same_v<Sensor, Laser>) {
+      advertise<sensor_msgs::LaserScan>(topic);
+    } else if constexpr (std::is_same_v<Sensor, SonarRing>) {
+      advertise<sensor_msgs::Range>(topic);
+    } else {
+      advertise<MessageOf<Sensor>>(topic);
+    }
+    if constexpr (std::is_same_v<Sensor, Camera>) {
+      advertise<sensor_msgs::CameraInfo>(info_topic(topic), true);
+      cameras_[sensor.options().frame] = sensor.options();
+    }
+  };
+  for (const AnySensor& sensor : sensors) std::visit(advertise_sensor, sensor);
+}
+
+template <class Message>
+void Publishers::advertise(const std::string& topic, bool latch) {
+  // An unlimited queue: where time runs as fast as it can, nothing may be lost on our side.
+  constexpr std::uint32_t kUnlimited = 0;
+  if (by_topic_.count(topic) == 0) {
+    by_topic_[topic] = handle_.advertise<Message>(topic, kUnlimited, latch);
+  }
+}
+
+template <class Payload>
+void Publishers::publish(const std_msgs::Header& header, const Event& event, const Payload& z) {
+  by_topic_.at(event.topic).publish(message(header, z));
+}
+
+void Publishers::publish(const std_msgs::Header& header, const Event& event,
+                         const Event::Odometry& z) {
+  nav_msgs::Odometry odometry = message(header, z);
+  odometry.header.frame_id = options_.frame_prefix + options_.odom_frame;
+  odometry.child_frame_id = options_.frame_prefix + options_.base_frame;
+  by_topic_.at(event.topic).publish(odometry);
+  tf2_msgs::TFMessage tf;
+  tf.transforms = {transform_of(odometry.header, odometry.child_frame_id, z.T_odom_base)};
+  by_topic_.at("/tf").publish(tf);
+}
+
+void Publishers::publish(const std_msgs::Header& header, const Event& event,
+                         const Event::Truth& z) {
+  nav_msgs::Odometry truth = message(header, z);
+  truth.header.frame_id = options_.map_frame;
+  truth.child_frame_id = options_.frame_prefix + options_.base_frame;
+  by_topic_.at(event.topic).publish(truth);
+}
+
+void Publishers::publish(const std_msgs::Header& header, const Event& event,
+                         const ImageFeatures& z) {
+  by_topic_.at(info_topic(event.topic)).publish(camera_info(header, cameras_.at(event.frame)));
+  by_topic_.at(event.topic).publish(message(header, z));
+}
+
+void Publishers::publish(const Event& event) {
+  std_msgs::Header header;
+  header.stamp = ros_convert::time(event.stamp);
+  header.frame_id = options_.frame_prefix + event.frame;
+  std::visit([&](const auto& z) { publish(header, event, z); }, event.payload);
+}
+
+void Publishers::publish_clock(Time now) {
+  if (!options_.publish_clock) return;
+  rosgraph_msgs::Clock clock;
+  clock.clock = ros_convert::time(now);
+  by_topic_.at("/clock").publish(clock);
+}
+
+void Publishers::publish_path_finished(bool finished) {
+  std_msgs::Bool message;
+  message.data = finished;
+  by_topic_.at("path_finished").publish(message);
+}
+
+void Publishers::publish_mounts(Time now, const std::vector<AnySensor>& sensors) {
+  std_msgs::Header header;
+  header.stamp = ros_convert::time(now);
+  header.frame_id = options_.frame_prefix + options_.base_frame;
+  tf2_msgs::TFMessage tf;
+  for (const AnySensor& sensor : sensors) {
+    for (const Mount& mount : mounts(sensor)) {
+      tf.transforms.push_back(
+          transform_of(header, options_.frame_prefix + mount.frame, mount.T_base_frame));
+    }
+  }
+  by_topic_.at("/tf_static").publish(tf);
+}
+
+std::string Publishers::unheard(const std::vector<std::string>& topics) const {
+  for (const std::string& topic : topics) {
+    const auto publisher = by_topic_.find(topic);
+    if (publisher == by_topic_.end()) {
+      throw OptionsError({"wait_for_subscribers = " + topic + " is no topic of this robot"});
+    }
+    if (publisher->second.getNumSubscribers() == 0) return topic;
+  }
+  return {};
+}
+
+}  // namespace portolan::sim
