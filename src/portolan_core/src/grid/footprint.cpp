@@ -133,6 +133,7 @@ void Footprint::settle(std::vector<Word>& into, FinePoint min, FinePoint max) {
 }
 
 CellRect Footprint::apply(TileMap& map, const CellUpdate& update, std::uint64_t revision) {
+  bool is_empty = true;
   for (int band = 0; band < rows_ / kSide; ++band) {
     carry_.fill(0);
     carries_ = false;
@@ -140,10 +141,11 @@ CellRect Footprint::apply(TileMap& map, const CellUpdate& update, std::uint64_t 
       if (!take_bits(strip, band)) continue;
       TileMap::Tile& tile = map.at({tile_.x + strip, tile_.y + band});
       tile.revision = revision;
+      is_empty = false;
       update_cells(tile, freed_, hit_, update);
     }
   }
-  return covered_;
+  return is_empty ? CellRect{} : covered_;
 }
 
 // Moves the bits of a tile to freed_ and hit_ and clears them here; false where there are none.

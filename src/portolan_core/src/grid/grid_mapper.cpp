@@ -40,13 +40,6 @@ void for_each_tile(const CellRect& rect, Visit visit) {
   }
 }
 
-template <class Visit>
-void for_each_cell(const CellRect& rect, Visit visit) {
-  for (int y = rect.min.y; y < rect.max.y; ++y) {
-    for (int x = rect.min.x; x < rect.max.x; ++x) visit(Cell{x, y});
-  }
-}
-
 // P(occupied) in percent of every byte.
 std::array<std::int8_t, 256> percent_table(const LogOdds& log_odds) {
   std::array<std::int8_t, 256> percent;
@@ -59,23 +52,35 @@ std::array<std::int8_t, 256> percent_table(const LogOdds& log_odds) {
 }
 
 // Makes the rows of a rectangle, with cell_of(tile index) giving a function that gives the byte of
-// a place in that tile; null where nobody observed the tile.
+// a place in that tile.
 template <class CellOf>
-std::vector<std::int8_t> make_rows(const CellRect& rect, const LogOdds& log_odds, CellOf cell_of) {
+std::vector<CellByte> make_rows(const CellRect& rect, CellOf cell_of) {
   const auto width = static_cast<std::size_t>(rect.width());
-  std::vector<std::int8_t> rows(width * static_cast<std::size_t>(rect.height()), -1);
-  const std::array<std::int8_t, 256> percent = percent_table(log_odds);
+  std::vector<CellByte> rows(width * static_cast<std::size_t>(rect.height()), kNeverObserved);
   for_each_tile(rect, [&](Cell tile, const CellRect& part) {
     const auto cell_in = cell_of(tile);
     for (int y = part.min.y; y < part.max.y; ++y) {
-      std::int8_t* row = &rows[static_cast<std::size_t>(y - rect.min.y) * width];
+      CellByte* row = &rows[static_cast<std::size_t>(y - rect.min.y) * width];
       for (int x = part.min.x; x < part.max.x; ++x) {
         const int place = (y & (kSide - 1)) * kSide + (x & (kSide - 1));
-        row[x - rect.min.x] = percent[cell_in(static_cast<std::size_t>(place))];
+        row[x - rect.min.x] = cell_in(static_cast<std::size_t>(place));
       }
     }
   });
   return rows;
+}
+
+std::vector<std::int8_t> percents(const std::vector<CellByte>& cells, const LogOdds& log_odds) {
+  const std::array<std::int8_t, 256> percent = percent_table(log_odds);
+  std::vector<std::int8_t> rows(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) rows[i] = percent[cells[i]];
+  return rows;
+}
+
+void write(TileMap& map, Cell cell, CellByte byte, std::uint64_t revision) {
+  TileMap::Tile& tile = map.at(tile_of(cell));
+  tile.row(cell.y & (kSide - 1))[cell.x & (kSide - 1)] = byte;
+  tile.revision = revision;
 }
 
 CellByte cell_in(const TileMap::Tile* tile, std::size_t place) {
@@ -90,19 +95,22 @@ GridMapper::GridMapper(const Options& options) : options_(checked(options)), log
   sheets_[index(GridLayer::cloud)].update = log_odds_.update(options_.cloud);
 }
 
-GridMapper::GridMapper(const Options& options, const LayerCells& layers) : GridMapper(options) {
+GridMapper::GridMapper(const Options& options, const std::vector<KeptLayer>& layers)
+    : GridMapper(options) {
   ++revision_;
-  for (const auto& [layer, cells] : layers) {
-    Sheet& sheet = sheets_[index(layer)];
-    const auto set = [&, &probability = cells.probability, this](Cell cell) {
-      const std::optional<double> p = probability(cell);
-      if (!p) return;
-      TileMap::Tile& tile = sheet.tiles.at(tile_of(cell));
-      tile.revision = revision_;
-      tile.row(cell.y & (kSide - 1))[cell.x & (kSide - 1)] = log_odds_.byte(*p);
-    };
-    for_each_cell(cells.rect, set);
-    sheet.bounds = cells.rect;
+  for (const KeptLayer& kept : layers) {
+    Sheet& sheet = sheets_[index(kept.layer)];
+    sheet.bounds = kept.rect;
+    std::size_t i = 0;
+    for (Cell cell = kept.rect.min; cell.y < kept.rect.max.y; ++cell.y) {
+      for (cell.x = kept.rect.min.x; cell.x < kept.rect.max.x; ++cell.x, ++i) {
+        if (kept.cells[i] == kNeverObserved) continue;
+        write(sheet.tiles, cell, kept.cells[i], revision_);
+        if (options_.fusion != Fusion::latest || kept.is_latest.empty()) continue;
+        const auto latest = static_cast<CellByte>(index(kept.layer) + 1);
+        if (kept.is_latest[i]) write(latest_, cell, latest, revision_);
+      }
+    }
   }
 }
 
@@ -138,7 +146,7 @@ bool GridMapper::may_stand_at(const Pose& T_map_sensor) const {
 std::vector<GridLayer> GridMapper::layers() const {
   std::vector<GridLayer> layers;
   for (GridLayer layer : kGridLayers) {
-    if (!sheet(layer).tiles.tiles().empty()) layers.push_back(layer);
+    if (!sheet(layer).bounds.empty()) layers.push_back(layer);
   }
   return layers;
 }
@@ -167,15 +175,17 @@ CellByte GridMapper::fused(Cell cell) const {
   return fuse(options_.fusion, log_odds_, stack, latest_.cell(cell));
 }
 
-std::vector<std::int8_t> GridMapper::occupancy(GridLayer layer, const CellRect& rect) const {
-  return make_rows(rect, log_odds_, [&](Cell index) {
+std::vector<CellByte> GridMapper::cells(GridLayer layer, const CellRect& rect) const {
+  return make_rows(rect, [&](Cell index) {
     const TileMap::Tile* tile = sheet(layer).tiles.find(index);
     return [tile](std::size_t place) { return cell_in(tile, place); };
   });
 }
 
-std::vector<std::int8_t> GridMapper::occupancy(const CellRect& rect) const {
-  return make_rows(rect, log_odds_, [&](Cell tile_index) {
+std::vector<CellByte> GridMapper::cells(const CellRect& rect) const {
+  const std::vector<GridLayer> held = layers();
+  if (held.size() == 1) return cells(held.front(), rect);
+  return make_rows(rect, [&](Cell tile_index) {
     std::array<const TileMap::Tile*, kGridLayers.size()> tiles;
     for (GridLayer layer : kGridLayers) tiles[index(layer)] = sheet(layer).tiles.find(tile_index);
     const TileMap::Tile* latest = latest_.find(tile_index);
@@ -185,6 +195,14 @@ std::vector<std::int8_t> GridMapper::occupancy(const CellRect& rect) const {
       return fuse(options_.fusion, log_odds_, stack, cell_in(latest, place));
     };
   });
+}
+
+std::vector<std::int8_t> GridMapper::occupancy(GridLayer layer, const CellRect& rect) const {
+  return percents(cells(layer, rect), log_odds_);
+}
+
+std::vector<std::int8_t> GridMapper::occupancy(const CellRect& rect) const {
+  return percents(cells(rect), log_odds_);
 }
 
 CellRect GridMapper::changed_since(std::uint64_t revision, GridLayer layer) const {

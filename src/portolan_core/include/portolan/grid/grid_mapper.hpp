@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -28,13 +26,6 @@ namespace portolan {
 /// What the observation occupies in memory [byte].
 std::size_t byte_size(const std::variant<RangeScan, RangeEcho, PointCloud>& z);
 
-/// Cells to start a map from: a rectangle, and P(occupied) of each cell in it, none if unknown.
-struct GridCells {
-  CellRect rect;
-  std::function<std::optional<double>(Cell)> probability;
-};
-using LayerCells = std::map<GridLayer, GridCells>;
-
 /// Where the plane is free and where something stands, cell by cell, from scans, cones and clouds:
 /// the occupancy grid of Eqs. 2-8.
 ///
@@ -48,8 +39,14 @@ class GridMapper {
   /// Throws OptionsError with every fault at once.
   explicit GridMapper(const Options& options);
 
-  /// The same, starting from these cells instead of nothing.
-  GridMapper(const Options& options, const LayerCells& layers);
+  /// A map that was kept as the cells of its layers: rows of `rect` in each, from low y to high y.
+  struct KeptLayer {
+    GridLayer layer{};
+    CellRect rect;
+    std::vector<CellByte> cells;
+    std::vector<bool> is_latest;  ///< did it observe the cell last? May be empty.
+  };
+  GridMapper(const Options& options, const std::vector<KeptLayer>& layers);
 
   /// Updates each cell that the observation frees or occupies once, Eq. 7; draw.hpp says which.
   /// Poses are projected to the plane. Rejected: a pose that is not finite and rigid, stands beyond
@@ -73,6 +70,11 @@ class GridMapper {
   /// in percent, -1 where nobody observed it. Of one layer, and fused.
   std::vector<std::int8_t> occupancy(GridLayer layer, const CellRect& rect) const;
   std::vector<std::int8_t> occupancy(const CellRect& rect) const;
+
+  /// The same as bytes, which `log_odds` translates.
+  std::vector<CellByte> cells(GridLayer layer, const CellRect& rect) const;
+  std::vector<CellByte> cells(const CellRect& rect) const;
+  const LogOdds& log_odds() const { return log_odds_; }
 
   /// Counts the insertions that changed the map.
   std::uint64_t revision() const { return revision_; }

@@ -10,25 +10,30 @@
 
 namespace portolan {
 
-/// What the pixels of a saved grid tell, as map_server's key `mode` names it.
-enum class GridFileMode {
-  trinary,  ///< 0 occupied, 254 free, 205 neither or never observed
-  scale,    ///< P(occupied) = (255 - pixel) / 255; 205 never observed
+/// What the pixels of a saved map keep.
+enum class PixelMode {
+  trinary,  ///< free, occupied or unknown, for map_server and its like
+  scale,    ///< probabilities, to within 1/255
 };
 
-constexpr std::array<const char*, 2> enum_names(GridFileMode) { return {"trinary", "scale"}; }
+constexpr std::array<const char*, 2> enum_names(PixelMode) { return {"trinary", "scale"}; }
 
-/// The map as map_server's files: `<name>.yaml` with `<name>.pgm`, all layers fused, and the same
-/// of each layer as `<name>_<layer>`. The layers are fused as they come back from their files: in
-/// trinary mode one that is unsure of a cell counts as not having seen it. So what is loaded and
-/// saved again gives equal files. Throws std::runtime_error where the map is empty.
-FileSet grid_files(const GridMapper& map, const std::string& name, GridFileMode mode);
+/// The map as map_server's pairs of YAML and PGM: the fused one as NAME.yaml and NAME.pgm, and each
+/// layer as NAME_LAYER.yaml and NAME_LAYER.pgm. Pixel 205 is unknown in both modes. Throws
+/// std::runtime_error where nothing has been observed.
+FileSet map_files(const GridMapper& map, PixelMode mode, const std::string& name = "map");
 
-/// The map of `<name>.yaml`: its layers where it lists them, else its picture as the laser's layer.
-/// Pixels count as map_server reads them. The origin is rounded to whole cells. Throws
-/// std::runtime_error with path and reason: a file is missing or malformed, has another resolution
-/// than the options, an origin that is turned, or too many pixels.
-GridMapper load_grid(const std::filesystem::path& folder, const std::string& name,
-                     const GridMapper::Options& options);
+/// The map in such files, and again the same files when it is saved in the same mode with the same
+/// options. A fused map alone, of whatever origin, becomes the laser layer. Throws
+/// std::runtime_error with the file's name and the reason: not of this format or version, sizes
+/// that do not fit, numbers that are not finite, a resolution other than the options', an origin
+/// that is turned or no corner of a cell. Throws OptionsError as the mapper does.
+GridMapper read_map_files(const FileSet& files, const std::string& name,
+                          const GridMapper::Options& options);
+
+/// The same from a folder: NAME.yaml, the layers that lie beside it, and their pictures. Throws
+/// also as `load_files` does.
+GridMapper load_map(const std::filesystem::path& folder, const std::string& name,
+                    const GridMapper::Options& options);
 
 }  // namespace portolan
