@@ -33,8 +33,9 @@ class Tally:
         self.used = int(values.get(noun + " used", 0))
         begin = noun + " dropped: "
         self.dropped = {key[len(begin):]: int(count) for key, count in values.items() if key.startswith(begin)}
-        self.sentence = next((part for part in sentence.split("; ") if f" {noun} " in part), "")
-        waiting = re.search(r"(\d+) waiting for tf", sentence)
+        parts = re.split(r"; (?=\d+ of |no \w+ received)", sentence)
+        self.sentence = next((part for part in parts if f" {noun} " in part), "")
+        waiting = re.search(r"(\d+) waiting for tf(?! when)", self.sentence)
         self.waiting = int(waiting.group(1)) if waiting else 0
 
     def __repr__(self):
