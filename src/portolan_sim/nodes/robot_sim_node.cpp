@@ -19,6 +19,11 @@ namespace {
 /// So long do sensors go on after the path's end, that the last scans get their transforms.
 constexpr Duration kAfterEnd = std::chrono::milliseconds(500);
 
+bool is_empty(const WorldOptions& world) {
+  return world.walls.empty() && world.boxes.empty() && world.cylinders.empty() &&
+         world.landmarks.empty() && world.beacons.empty();
+}
+
 /// Calls back for whatever has come, or waits a little for something to come.
 void serve(double patience) {
   ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(patience));
@@ -31,6 +36,9 @@ RobotSimNode::RobotSimNode(ros::NodeHandle handle, ros::NodeHandle private_handl
   read_parameters(private_handle_, options_, simulation_options_);
   if (!options_.world_file.empty()) {
     simulation_options_.world = read_world(options_.world_file, options_.wall_height);
+  }
+  if (is_empty(simulation_options_.world)) {
+    throw OptionsError({"world_file or world must say what stands around the robot"});
   }
   begin();
   const boost::function<void(const geometry_msgs::Twist&)> command =

@@ -23,7 +23,7 @@ TruthRecorder::TruthRecorder(const RobotSimOptions& options, const Simulation& s
     : options_(options) {
   if (!wanted()) return;
   grid_ = truth_grid(simulation.world(), options.truth_resolution, options.truth_height,
-                     simulation.T_map_odom().translation().head<2>());
+                     simulation.T_map_start().translation().head<2>());
 }
 
 void TruthRecorder::record(const Simulation& simulation, const Event& event) {

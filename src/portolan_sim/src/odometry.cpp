@@ -66,8 +66,8 @@ Eigen::Matrix3d by_motion(double heading, const Motion& motion) {
 
 }  // namespace
 
-Odometry::Odometry(const Options& options, std::uint64_t seed)
-    : options_(checked(options)), random_(seed, "odometry") {}
+Odometry::Odometry(const Options& options, std::uint64_t seed, const Pose& T_odom_base)
+    : options_(checked(options)), random_(seed, "odometry"), T_odom_base_(T_odom_base) {}
 
 void Odometry::update(const Pose& T_map_base) {
   if (!started_) T_map_base_ = T_map_base;

@@ -151,6 +151,24 @@ TEST(Simulation, ASweepKnowsByOdometryHowTheLaserMoved) {
   }
 }
 
+TEST(Simulation, OdometryBeginsAtTheTruthOrAtZero) {
+  SimulationOptions options = everything();
+  options.odometry = {0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0};
+  for (const OdometryOrigin origin : {OdometryOrigin::map, OdometryOrigin::start}) {
+    options.odometry_origin = origin;
+    Simulation simulation(options);
+    const bool at_truth = origin == OdometryOrigin::map;
+    const Pose T_map_odom = at_truth ? Pose::Identity() : simulation.T_map_start();
+    for (const Event& event : simulation.step(5s)) {
+      if (event.topic != "odom") continue;
+      const Pose T_odom_base = std::get<Event::Odometry>(event.payload).T_odom_base;
+      const Pose T_map_base = simulation.T_map_base().at(event.stamp);
+      if (event.stamp < simulation.now() - 1s) continue;  // forgotten by now
+      EXPECT_TRUE((T_map_odom * T_odom_base).isApprox(T_map_base, 1e-6));
+    }
+  }
+}
+
 TEST(Simulation, FollowsThePathToItsEnd) {
   SimulationOptions options = everything();
   Simulation simulation(options);
@@ -166,7 +184,7 @@ TEST(Simulation, ObeysCommandsUntilTheyGrowOld) {
   options.drive = Drive::command;
   options.start = {1.0, 3.0, 0.0};
   Simulation simulation(options);
-  EXPECT_TRUE(simulation.T_map_odom().isApprox(planar_pose(1.0, 3.0, 0.0)));
+  EXPECT_TRUE(simulation.T_map_start().isApprox(planar_pose(1.0, 3.0, 0.0)));
   simulation.command({0.4, 0.0});
   simulation.step(5s);
   EXPECT_EQ(simulation.robot().velocity().forward, 0.0);

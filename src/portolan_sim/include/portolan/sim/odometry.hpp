@@ -39,9 +39,10 @@ class Odometry {
     }
   };
 
-  Odometry(const Options& options, std::uint64_t seed);
+  /// Begins at `T_odom_base`.
+  Odometry(const Options& options, std::uint64_t seed, const Pose& T_odom_base = Pose::Identity());
 
-  /// Tells it where the base truly is now; the first time is the origin of the odometry frame.
+  /// Tells it where the base truly is now; the first time is where it begins.
   void update(const Pose& T_map_base);
 
   /// Where it believes the base is.
@@ -56,7 +57,7 @@ class Odometry {
   Random random_;
   bool started_ = false;
   Pose T_map_base_ = Pose::Identity();
-  Pose T_odom_base_ = Pose::Identity();
+  Pose T_odom_base_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
 };
 

@@ -43,8 +43,8 @@ class Simulation {
   /// Where the base truly is now, and was in the last second or so.
   const PoseHistory& T_map_base() const { return T_map_base_; }
 
-  /// Where the odometry frame lies on the map: where the robot started.
-  const Pose& T_map_odom() const { return T_map_odom_; }
+  /// Where the base was at first.
+  const Pose& T_map_start() const { return T_map_start_; }
 
   static constexpr Duration kTick = std::chrono::milliseconds(10);
 
@@ -58,7 +58,7 @@ class Simulation {
   World world_;
   Time start_;
   Time now_;
-  Pose T_map_odom_;
+  Pose T_map_start_;
   Robot robot_;
   PathFollower follower_;
   Odometry odometry_;

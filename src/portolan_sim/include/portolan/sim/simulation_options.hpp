@@ -28,6 +28,14 @@ enum class Drive {
 
 constexpr std::array<const char*, 2> enum_names(Drive) { return {"path", "command"}; }
 
+/// Where odometry begins to count.
+enum class OdometryOrigin {
+  map,    ///< at the robot's true pose: without drift its frame is the map's
+  start,  ///< at zero, as wheels do
+};
+
+constexpr std::array<const char*, 2> enum_names(OdometryOrigin) { return {"map", "start"}; }
+
 /// A whole experiment: world, robot, sensors, and the seed of all chance.
 struct SimulationOptions {
   std::int64_t seed = 0;
@@ -40,6 +48,7 @@ struct SimulationOptions {
   Robot::Options robot;
   PathFollower::Options follower;
   Odometry::Options odometry;
+  OdometryOrigin odometry_origin = OdometryOrigin::map;
   double odometry_rate = 50.0;
   std::vector<Laser::Options> lasers = {Laser::Options{}};
   std::vector<SonarRing::Options> sonar_rings = {SonarRing::Options{}};
@@ -65,6 +74,7 @@ struct SimulationOptions {
     visit("robot", self.robot, "the body");
     visit("follower", self.follower, "how it follows a path");
     visit("odometry", self.odometry, "how its wheels err");
+    visit("odometry_origin", self.odometry_origin, "where odometry begins to count");
     visit("odometry_rate", self.odometry_rate, "[Hz]", above_to(0.0, 1000.0));
     visit("lasers", self.lasers, "planar lasers");
     visit("sonar_rings", self.sonar_rings, "rings of sonars");
