@@ -72,14 +72,15 @@ void occupy_row(CellByte* row, std::uint64_t occupied, const CellUpdate& u) {
 __attribute__((target("avx512bw"))) void update_cells_avx512(TileMap::Tile& tile,
                                                              const TileBits& free,
                                                              const TileBits& occupied,
+                                                             std::size_t begin, std::size_t end,
                                                              const CellUpdate& u) {
   const __m512i prior = _mm512_set1_epi8(static_cast<char>(u.prior));
   const __m512i floor = _mm512_set1_epi8(static_cast<char>(u.free_floor));
   const __m512i down = _mm512_set1_epi8(static_cast<char>(u.free_step));
   const __m512i ceiling = _mm512_set1_epi8(static_cast<char>(u.occupied_ceiling));
   const __m512i up = _mm512_set1_epi8(static_cast<char>(u.occupied_step));
-  for (int y = 0; y < kSide; ++y) {
-    const auto i = static_cast<std::size_t>(y);
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto y = static_cast<int>(i);
     const std::uint64_t known_free = free[i] & ~occupied[i];
     if ((known_free | occupied[i]) == 0) continue;
     CellByte* row = tile.row(y);
@@ -98,10 +99,11 @@ __attribute__((target("avx512bw"))) void update_cells_avx512(TileMap::Tile& tile
 }  // namespace
 
 void cell_rows_detail::update_cells_portably(TileMap::Tile& tile, const TileBits& free,
-                                             const TileBits& occupied, const CellUpdate& update) {
+                                             const TileBits& occupied, std::size_t begin,
+                                             std::size_t end, const CellUpdate& update) {
   const CellUpdate u = update;
-  for (int y = 0; y < kSide; ++y) {
-    const auto i = static_cast<std::size_t>(y);
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto y = static_cast<int>(i);
     const std::uint64_t known_free = free[i] & ~occupied[i];
     if (known_free == kWholeRow) {
       free_whole_row(tile.row(y), u);
@@ -113,12 +115,12 @@ void cell_rows_detail::update_cells_portably(TileMap::Tile& tile, const TileBits
 }
 
 void update_cells(TileMap::Tile& tile, const TileBits& free, const TileBits& occupied,
-                  const CellUpdate& update) {
+                  std::size_t begin, std::size_t end, const CellUpdate& update) {
 #ifdef PORTOLAN_X86
   static const bool has_avx512 = __builtin_cpu_supports("avx512bw") != 0;
-  if (has_avx512) return update_cells_avx512(tile, free, occupied, update);
+  if (has_avx512) return update_cells_avx512(tile, free, occupied, begin, end, update);
 #endif
-  cell_rows_detail::update_cells_portably(tile, free, occupied, update);
+  cell_rows_detail::update_cells_portably(tile, free, occupied, begin, end, update);
 }
 
 }  // namespace portolan

@@ -28,6 +28,8 @@ bool Footprint::open(Anchor anchor, FinePoint min, FinePoint max) {
             static_cast<std::int32_t>(anchor.y - corner(tile_.y))};
   strips_ = (covered_.max.x >> 6) - tile_.x + 1;  // with the column after the last one
   rows_ = (((covered_.max.y - 1) >> 6) - tile_.y + 1) * kSide;
+  first_row_ = covered_.min.y - tile_.y * kSide;
+  end_row_ = covered_.max.y - tile_.y * kSide;
   const auto words = static_cast<std::size_t>(strips_ * rows_);
   for (std::vector<Word>* plane : {&toggled_, &free_, &occupied_}) {
     if (plane->size() < words) plane->resize(words);
@@ -75,39 +77,62 @@ void Footprint::occupy(FinePoint p) {
 
 void Footprint::cone(FinePoint b, FinePoint c, std::int64_t free, std::int64_t occupied) {
   const std::array<FinePoint, 3> corners = {in_window({0, 0}), in_window(b), in_window(c)};
-  const std::int64_t reach = std::max(free, occupied);
-  spans_.assign(static_cast<std::size_t>(rows_), Span{});
+  spans_.assign(static_cast<std::size_t>(end_row_ - first_row_), Span{});
   for (std::size_t i = 0; i < 3; ++i) {
     fine_walk::walk_rows(corners[i], corners[(i + 1) % 3], 0.5 - fine_walk::kNudge,
                          [this](int row, int column) {
-                           if (row < 0 || row >= rows_) return;
-                           Span& span = spans_[static_cast<std::size_t>(row)];
+                           if (row < first_row_ || row >= end_row_) return;
+                           Span& span = spans_[static_cast<std::size_t>(row - first_row_)];
                            span = {std::min(span.begin, column), std::max(span.end, column)};
                          });
   }
-  const FinePoint min{static_cast<std::int32_t>(-reach), static_cast<std::int32_t>(-reach)};
-  const FinePoint max{static_cast<std::int32_t>(reach), static_cast<std::int32_t>(reach)};
-  toggle_disc(free);
-  settle(free_, min, max);
-  if (occupied <= free) return;
-  toggle_disc(free);
-  toggle_disc(occupied);
-  settle(occupied_, min, max);
+  measure_disc(free, free_half_);
+  measure_disc(std::max(free, occupied), half_);
+  const FinePoint centre = corners[0];
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const int row = first_row_ + static_cast<int>(i);
+    const Span near = within(spans_[i], centre.x, free_half_[i]);
+    const Span all = within(spans_[i], centre.x, half_[i]);
+    if (near.begin >= near.end) {
+      mark(occupied_, is_occupied_, row, all);
+    } else {
+      mark(free_, is_free_, row, near);
+      mark(occupied_, is_occupied_, row, {all.begin, near.begin});
+      mark(occupied_, is_occupied_, row, {near.end, all.end});
+    }
+  }
 }
 
-void Footprint::toggle_disc(std::int64_t radius) {
-  const FinePoint centre = in_window({0, 0});
-  for (int row = 0; row < rows_; ++row) {
-    const std::int64_t dy = std::int64_t{row} * kFine + kFine / 2 - centre.y;
-    const std::int64_t square = radius * radius - 1 - dy * dy;  // of a distance below the radius
-    if (square < 0) continue;
-    const auto half = static_cast<std::int32_t>(std::sqrt(static_cast<double>(square)));
-    const Span& span = spans_[static_cast<std::size_t>(row)];
-    const int begin = std::max(span.begin, fine_walk::first_centre(centre.x - half));
-    const int end = std::min(span.end, fine_walk::first_centre(centre.x + half + 1));
-    if (begin >= end) continue;
-    toggle_from(begin, row);
-    toggle_from(end, row);
+// Half the width of a disc about the anchor in each covered row; negative where it does not reach.
+void Footprint::measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const {
+  const auto square = static_cast<double>(radius * radius - 1);  // of a distance below the radius
+  const double to_first = first_row_ * kFine + kFine / 2 - in_window({0, 0}).y;
+  half.resize(spans_.size());
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    const double dy = to_first + kFine * static_cast<double>(static_cast<std::int32_t>(i));
+    const double rest = square - dy * dy;
+    const auto root = static_cast<std::int32_t>(std::sqrt(std::max(rest, 0.0)));
+    half[i] = rest < 0.0 ? -1 : root;
+  }
+}
+
+// The columns of a span whose centres lie at most `half` from `centre`.
+Footprint::Span Footprint::within(const Span& span, std::int32_t centre, std::int32_t half) {
+  if (half < 0) return {};
+  return {std::max(span.begin, fine_walk::first_centre(centre - half)),
+          std::min(span.end, fine_walk::first_centre(centre + half + 1))};
+}
+
+void Footprint::mark(std::vector<Word>& plane, std::vector<std::uint8_t>& marks, int row,
+                     const Span& span) {
+  if (span.begin >= span.end) return;
+  const int last = (span.end - 1) >> 6;
+  for (int strip = span.begin >> 6; strip <= last; ++strip) {
+    Word bits = ~Word{0};
+    if (strip == span.begin >> 6) bits &= ~Word{0} << (span.begin & 63);
+    if (strip == last) bits &= ~Word{0} >> (63 - ((span.end - 1) & 63));
+    word(plane, strip * kSide, row) |= bits;
+    marks[tile_at(strip * kSide, row)] = 1;
   }
 }
 
@@ -135,14 +160,16 @@ void Footprint::settle(std::vector<Word>& into, FinePoint min, FinePoint max) {
 CellRect Footprint::apply(TileMap& map, const CellUpdate& update, std::uint64_t revision) {
   bool is_empty = true;
   for (int band = 0; band < rows_ / kSide; ++band) {
-    carry_.fill(0);
+    band_begin_ = static_cast<std::size_t>(std::max(0, first_row_ - band * kSide));
+    band_end_ = static_cast<std::size_t>(std::min(kSide, end_row_ - band * kSide));
+    for (std::size_t i = band_begin_; i < band_end_; ++i) carry_[i] = 0;
     carries_ = false;
     for (int strip = 0; strip < strips_; ++strip) {
       if (!take_bits(strip, band)) continue;
       TileMap::Tile& tile = map.at({tile_.x + strip, tile_.y + band});
       tile.revision = revision;
       is_empty = false;
-      update_cells(tile, freed_, hit_, update);
+      update_cells(tile, freed_, hit_, band_begin_, band_end_, update);
     }
   }
   return is_empty ? CellRect{} : covered_;
@@ -153,21 +180,25 @@ bool Footprint::take_bits(int strip, int band) {
   const std::size_t tile = tile_at(strip * kSide, band * kSide);
   if (!carries_ && !is_toggled_[tile] && !is_free_[tile] && !is_occupied_[tile]) return false;
   const std::size_t first = static_cast<std::size_t>(strip * rows_ + band * kSide);
-  freed_ = carry_;
-  hit_.fill(0);
+  for (std::size_t i = band_begin_; i < band_end_; ++i) {
+    freed_[i] = carry_[i];
+    hit_[i] = 0;
+  }
   if (std::exchange(is_toggled_[tile], std::uint8_t{0}) != 0) take_toggled(&toggled_[first]);
   if (std::exchange(is_free_[tile], std::uint8_t{0}) != 0) {
-    for (std::size_t i = 0; i < kSide; ++i) freed_[i] |= std::exchange(free_[first + i], 0);
+    for (std::size_t i = band_begin_; i < band_end_; ++i)
+      freed_[i] |= std::exchange(free_[first + i], 0);
   }
   if (std::exchange(is_occupied_[tile], std::uint8_t{0}) != 0) {
-    for (std::size_t i = 0; i < kSide; ++i) hit_[i] = std::exchange(occupied_[first + i], 0);
+    for (std::size_t i = band_begin_; i < band_end_; ++i)
+      hit_[i] = std::exchange(occupied_[first + i], 0);
   }
   return true;
 }
 
 void Footprint::take_toggled(Word* toggled) {
   Word any = 0;
-  for (std::size_t i = 0; i < kSide; ++i) {
+  for (std::size_t i = band_begin_; i < band_end_; ++i) {
     freed_[i] ^= toggled[i];
     carry_[i] = Word{0} - (freed_[i] >> 63);
     any |= carry_[i];

@@ -82,16 +82,20 @@ class Footprint {
                          [this](int row, int column) { toggle_from(column, row); });
   }
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
-  void toggle_disc(std::int64_t radius);
+  void measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const;
+  static Span within(const Span& span, std::int32_t centre, std::int32_t half);
+  void mark(std::vector<Word>& plane, std::vector<std::uint8_t>& marks, int row, const Span& span);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
   bool take_bits(int strip, int band);
   void take_toggled(Word* toggled);
 
-  CellRect covered_;  // in the map
-  Cell tile_;         // index of the window's lowest tile
-  FinePoint shift_;   // from the anchor to the window's corner
-  int strips_ = 0;    // width of the window in words
-  int rows_ = 0;      // height of the window in cells, whole tiles
+  CellRect covered_;   // in the map
+  Cell tile_;          // index of the window's lowest tile
+  FinePoint shift_;    // from the anchor to the window's corner
+  int strips_ = 0;     // width of the window in words
+  int rows_ = 0;       // height of the window in cells, whole tiles
+  int first_row_ = 0;  // the covered rows within the window
+  int end_row_ = 0;
   // Planes of bits: strips of 64 columns, each with its rows one after the other.
   std::vector<Word> toggled_;  // is the number of edges left of the cell odd?
   std::vector<Word> free_;
@@ -103,9 +107,13 @@ class Footprint {
   // Of the tile that is put into the map.
   TileBits carry_{};  // by row: the parity left of it
   bool carries_ = false;
+  std::size_t band_begin_ = 0;  // its covered rows
+  std::size_t band_end_ = 0;
   TileBits freed_{};
   TileBits hit_{};
   std::vector<Span> spans_;  // by row: of the cone
+  std::vector<std::int32_t> free_half_;
+  std::vector<std::int32_t> half_;
 };
 
 }  // namespace portolan
