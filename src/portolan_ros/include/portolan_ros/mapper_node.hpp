@@ -4,18 +4,18 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
-#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "portolan/map_file.hpp"
 #include "portolan_ros/convert/correction.hpp"
 #include "portolan_ros/diagnosis.hpp"
+#include "portolan_ros/map_keeper.hpp"
 #include "portolan_ros/map_services.hpp"
 #include "portolan_ros/node_options.hpp"
 #include "portolan_ros/params.hpp"
 #include "portolan_ros/pipeline.hpp"
+#include "portolan_ros/subscriptions.hpp"
 
 namespace portolan {
 
@@ -36,8 +36,6 @@ class MapperNode {
     diagnostics_.add("mapping", [this](auto& status) { diagnose(status); });
   }
 
-  const Remapper<Mapper>& remapper() const { return pipeline_.remapper(); }
-
  private:
   static MapperNodeOptions<Kind> read(const ros::NodeHandle& private_handle) {
     MapperNodeOptions<Kind> options;
@@ -47,15 +45,6 @@ class MapperNode {
 
   static Time now() { return ros_convert::time(ros::Time::now()); }
 
-  template <class Message, class Callback>
-  void subscribe(const std::string& topic, int queue, Callback callback) {
-    const boost::function<void(const typename Message::ConstPtr&)> call =
-        [callback](const typename Message::ConstPtr& message) { callback(*message); };
-    subscribers_.push_back(handle_.subscribe<Message>(topic, static_cast<std::uint32_t>(queue),
-                                                      call, ros::VoidConstPtr(),
-                                                      ros::TransportHints().tcpNoDelay()));
-  }
-
   void subscribe_to_poses();
 
   template <class Message, class SensorReading>
@@ -63,15 +52,11 @@ class MapperNode {
                           std::optional<Sensed<SensorReading>> (*convert)(const Message&));
 
   void correct(const portolan_msgs::DriftCorrection& message);
-  void check_frames(const portolan_msgs::DriftCorrection& message) const;
+  std::string map_name() const {
+    return private_handle_.param<std::string>("map_name", options_.node.map_name);
+  }
   void redraw();
-  void publish();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
-
-  std::string map_name() const;
-  std::string save();
-  std::string load();
-  std::string reset();
 
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
@@ -82,18 +67,19 @@ class MapperNode {
   Diagnosis diagnosis_;
   std::size_t bad_corrections_ = 0;
   diagnostic_updater::Updater diagnostics_{handle_, private_handle_};
-  std::vector<ros::Subscriber> subscribers_;
-  MapServices services_{
-      private_handle_,
-      {[this] { return save(); }, [this] { return load(); }, [this] { return reset(); }}};
+  Subscriptions subscriptions_{handle_};
+  MapKeeper<Kind> keeper_{pipeline_.remapper(), options_, [this] { return map_name(); }};
+  MapServices services_{private_handle_,
+                        {[this] { return keeper_.save(); }, [this] { return keeper_.load(); },
+                         [this] { return keeper_.reset(); }}};
 
   static constexpr double kRedrawPeriod = 0.05;  // [s]
   // Wall timers: simulated time may stand still, or run back.
   ros::WallTimer redraw_timer_ = handle_.createWallTimer(
       ros::WallDuration(kRedrawPeriod), [this](const ros::WallTimerEvent&) { redraw(); });
-  ros::WallTimer publish_timer_ =
-      handle_.createWallTimer(ros::WallDuration(options_.node.publish_interval),
-                              [this](const ros::WallTimerEvent&) { publish(); });
+  ros::WallTimer publish_timer_ = handle_.createWallTimer(
+      ros::WallDuration(options_.node.publish_interval),
+      [this](const ros::WallTimerEvent&) { outputs_.publish(ros::Time::now()); });
   ros::WallTimer diagnostics_timer_ = handle_.createWallTimer(
       ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
 };
@@ -101,18 +87,18 @@ class MapperNode {
 template <class Kind>
 void MapperNode<Kind>::subscribe_to_poses() {
   constexpr int kQueue = 1000;
-  subscribe<tf2_msgs::TFMessage>("/tf", kQueue, [this](const tf2_msgs::TFMessage& message) {
-    pipeline_.receive_tf(message, false, now());
-  });
-  subscribe<tf2_msgs::TFMessage>("/tf_static", kQueue, [this](const tf2_msgs::TFMessage& message) {
-    pipeline_.receive_tf(message, true, now());
-  });
+  subscriptions_.add<tf2_msgs::TFMessage>(
+      "/tf", kQueue,
+      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, false, now()); });
+  subscriptions_.add<tf2_msgs::TFMessage>(
+      "/tf_static", kQueue,
+      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, true, now()); });
   if (!options_.node.odom_topic.empty()) {
-    subscribe<nav_msgs::Odometry>(
+    subscriptions_.add<nav_msgs::Odometry>(
         options_.node.odom_topic, kQueue,
         [this](const nav_msgs::Odometry& message) { pipeline_.receive_odometry(message, now()); });
   }
-  subscribe<portolan_msgs::DriftCorrection>(
+  subscriptions_.add<portolan_msgs::DriftCorrection>(
       "drift_correction", 1,
       [this](const portolan_msgs::DriftCorrection& message) { correct(message); });
 }
@@ -124,31 +110,22 @@ void MapperNode<Kind>::subscribe_to_input(
     std::optional<Sensed<SensorReading>> (*convert)(const Message&)) {
   const std::size_t input = pipeline_.add_input(noun);
   for (const std::string& topic : options_.topics.by_input.at(name)) {
-    subscribe<Message>(topic, options_.pipeline.posing.queue_size,
-                       [this, input, convert](const Message& message) {
-                         pipeline_.receive(input, convert(message), now());
-                       });
+    subscriptions_.add<Message>(topic, options_.pipeline.posing.queue_size,
+                                [this, input, convert](const Message& message) {
+                                  pipeline_.receive(input, convert(message), now());
+                                });
   }
 }
 
 template <class Kind>
 void MapperNode<Kind>::correct(const portolan_msgs::DriftCorrection& message) {
   try {
-    check_frames(message);
-    pipeline_.remapper().correct(ros_convert::correction(message));
+    pipeline_.remapper().correct(
+        ros_convert::correction(message, options_.pipeline.posing.odom_frame));
   } catch (const std::invalid_argument& error) {
     ++bad_corrections_;
     ROS_ERROR_THROTTLE(10.0, "drift_correction is refused: %s", error.what());
   }
-}
-
-template <class Kind>
-void MapperNode<Kind>::check_frames(const portolan_msgs::DriftCorrection& message) const {
-  const std::string& odom = options_.pipeline.posing.odom_frame;
-  if (ros_convert::without_slash(message.child_frame_id) == ros_convert::without_slash(odom))
-    return;
-  throw std::invalid_argument("it is about the frame \"" + message.child_frame_id +
-                              "\", not about \"" + odom + "\"");
 }
 
 template <class Kind>
@@ -157,11 +134,6 @@ void MapperNode<Kind>::redraw() {
   const ros::WallTime end =
       ros::WallTime::now() + ros::WallDuration(kRedrawPeriod * options_.node.redraw_share);
   pipeline_.remapper().replay([end] { return ros::WallTime::now() < end; });
-}
-
-template <class Kind>
-void MapperNode<Kind>::publish() {
-  outputs_.publish(ros::Time::now());
 }
 
 template <class Kind>
@@ -175,40 +147,6 @@ void MapperNode<Kind>::diagnose(diagnostic_updater::DiagnosticStatusWrapper& sta
   status.add("corrections refused", bad_corrections_);
   status.add("transforms refused", pipeline_.posed().bad_transforms());
   status.add("times the clock ran back", pipeline_.time_jumps());
-}
-
-template <class Kind>
-std::string MapperNode<Kind>::map_name() const {
-  std::string name = options_.node.map_name;
-  private_handle_.getParam("map_name", name);
-  return checked_map_name(name);
-}
-
-template <class Kind>
-std::string MapperNode<Kind>::save() {
-  const std::filesystem::path folder = folder_of(options_.node.map_directory);
-  const std::string name = map_name();
-  pipeline_.remapper().finish();
-  std::filesystem::create_directories(folder);
-  const FileSet files = Kind::save(remapper().map(), name, options_.output);
-  save_files(folder, files);
-  std::string names;
-  for (const auto& [file, content] : files) names += " " + file;
-  return "saved" + names + " in " + folder.string();
-}
-
-template <class Kind>
-std::string MapperNode<Kind>::load() {
-  const std::filesystem::path folder = folder_of(options_.node.map_directory);
-  const std::string name = map_name();
-  pipeline_.remapper().restart_from(Kind::load(folder, name, options_.mapper));
-  return "loaded " + name + " from " + folder.string();
-}
-
-template <class Kind>
-std::string MapperNode<Kind>::reset() {
-  pipeline_.remapper().restart_from(Mapper(options_.mapper));
-  return "the map is empty";
 }
 
 }  // namespace portolan

@@ -9,7 +9,12 @@
 
 namespace portolan::ros_convert {
 
-Correction correction(const portolan_msgs::DriftCorrection& message) {
+Correction correction(const portolan_msgs::DriftCorrection& message,
+                      const std::string& odom_frame) {
+  if (without_slash(message.child_frame_id) != without_slash(odom_frame)) {
+    throw std::invalid_argument("it is about the frame \"" + message.child_frame_id +
+                                "\", not about \"" + odom_frame + "\"");
+  }
   if (message.stamps.size() != message.poses.size()) {
     throw std::invalid_argument("a correction needs as many poses as stamps");
   }

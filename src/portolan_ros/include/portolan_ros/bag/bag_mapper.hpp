@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rosbag/message_instance.h>
+#include <yaml-cpp/yaml.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "portolan/map_file.hpp"
+#include "portolan_ros/bag/tally_summary.hpp"
+#include "portolan_ros/bag/trajectory.hpp"
+#include "portolan_ros/pipeline.hpp"
+
+namespace portolan {
+
+/// One kind of map over a bag: what its node would do, without a ROS graph.
+template <class Kind>
+class BagMapper {
+ public:
+  /// Throws OptionsError.
+  explicit BagMapper(const MapperNodeOptions<Kind>& options);
+
+  /// The topics that it wants, tf among them.
+  std::set<std::string> topics() const {
+    std::set<std::string> names;
+    for (const auto& [topic, handlers] : handlers_) names.insert(topic);
+    return names;
+  }
+
+  /// Those of its inputs alone.
+  const std::set<std::string>& input_topics() const { return input_topics_; }
+
+  /// Takes one message of the bag; one that does not concern it is left out.
+  void take(const rosbag::MessageInstance& message);
+
+  /// No more messages come: what still waits for tf is used or dropped.
+  void finish();
+
+  /// The map's files and pictures, and the trajectory; counts, wall time and options.
+  FileSet files() const;
+  YAML::Node summary() const;
+
+  /// What became of the messages of each input.
+  const std::vector<Tally>& tallies() const { return pipeline_.posed().tallies(); }
+
+ private:
+  using Handler = std::function<void(const rosbag::MessageInstance&, Time)>;
+
+  template <class Message, class SensorReading>
+  void add_input(const std::string& name, const std::string& noun,
+                 std::optional<Sensed<SensorReading>> (*convert)(const Message&));
+  void add_poses();
+  void handle(const std::string& topic, Handler handler) {
+    handlers_[ros_convert::without_slash(topic)].push_back(std::move(handler));
+  }
+
+  MapperNodeOptions<Kind> options_;
+  Pipeline<Kind> pipeline_{options_.pipeline, options_.mapper};
+  Trajectory trajectory_{options_.pipeline.posing.odom_frame, options_.pipeline.base_frame};
+  std::map<std::string, std::vector<Handler>> handlers_;  // by topic without its slash
+  std::set<std::string> input_topics_;
+  Time newest_;
+  std::chrono::duration<double> wall_time_{0.0};  // [s]
+};
+
+template <class Kind>
+BagMapper<Kind>::BagMapper(const MapperNodeOptions<Kind>& options) : options_(checked(options)) {
+  add_poses();
+  Kind::inputs([this](const std::string& name, const std::string& noun, auto convert) {
+    add_input(name, noun, convert);
+  });
+}
+
+template <class Kind>
+void BagMapper<Kind>::add_poses() {
+  const auto on_tf = [this](bool is_static) {
+    return [this, is_static](const rosbag::MessageInstance& instance, Time now) {
+      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
+      if (!message) return;
+      trajectory_.receive_tf(*message);
+      pipeline_.receive_tf(*message, is_static, now);
+    };
+  };
+  handle("tf", on_tf(false));
+  handle("tf_static", on_tf(true));
+  if (options_.node.odom_topic.empty()) return;
+  handle(options_.node.odom_topic, [this](const rosbag::MessageInstance& instance, Time now) {
+    const auto message = instance.instantiate<nav_msgs::Odometry>();
+    if (!message) return;
+    trajectory_.receive_odometry(*message);
+    pipeline_.receive_odometry(*message, now);
+  });
+}
+
+template <class Kind>
+template <class Message, class SensorReading>
+void BagMapper<Kind>::add_input(const std::string& name, const std::string& noun,
+                                std::optional<Sensed<SensorReading>> (*convert)(const Message&)) {
+  const std::size_t input = pipeline_.add_input(noun);
+  for (const std::string& topic : options_.topics.by_input.at(name)) {
+    input_topics_.insert(ros_convert::without_slash(topic));
+    handle(topic, [this, input, convert](const rosbag::MessageInstance& instance, Time now) {
+      const auto message = instance.instantiate<Message>();
+      if (message) pipeline_.receive(input, convert(*message), now);
+    });
+  }
+}
+
+template <class Kind>
+void BagMapper<Kind>::take(const rosbag::MessageInstance& message) {
+  const auto found = handlers_.find(ros_convert::without_slash(message.getTopic()));
+  if (found == handlers_.end()) return;
+  const auto start = std::chrono::steady_clock::now();
+  newest_ = ros_convert::time(message.getTime());
+  for (const Handler& handler : found->second) handler(message, newest_);
+  wall_time_ += std::chrono::steady_clock::now() - start;
+}
+
+template <class Kind>
+void BagMapper<Kind>::finish() {
+  pipeline_.poll(newest_ + seconds(options_.pipeline.posing.tf_wait + 1.0));
+  pipeline_.remapper().finish();
+}
+
+template <class Kind>
+FileSet BagMapper<Kind>::files() const {
+  const Remapper<typename Kind::Mapper>& remapper = pipeline_.remapper();
+  FileSet files = Kind::save(remapper.map(), Kind::kFileName, options_.output);
+  files.merge(
+      Kind::pictures(remapper.map(), Kind::kFileName, trajectory_.in_map(remapper.correction())));
+  if (!trajectory_.empty()) files["trajectory.tum"] = trajectory_.tum(remapper.correction());
+  return files;
+}
+
+template <class Kind>
+YAML::Node BagMapper<Kind>::summary() const {
+  YAML::Node node;
+  node["inputs"] = counts_of(tallies());
+  node["transforms_refused"] = pipeline_.posed().bad_transforms();
+  node["wall_time"] = wall_time_.count();
+  node["options"] = YAML::Load(to_yaml(option_rows(options_)));
+  return node;
+}
+
+}  // namespace portolan

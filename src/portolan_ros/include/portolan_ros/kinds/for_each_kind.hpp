@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "portolan_ros/kinds/grid_kind.hpp"
+
+namespace portolan {
+
+/// Calls the function with each kind of map, in the order in which maps are made and documented.
+template <class Function>
+void for_each_kind(Function function) {
+  function(GridKind{});
+}
+
+}  // namespace portolan
