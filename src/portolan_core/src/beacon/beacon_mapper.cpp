@@ -91,7 +91,7 @@ std::vector<BeaconEstimate> BeaconMapper::estimates() const {
     estimate.restarts = track.restarts();
     estimate.ambiguous = track.is_ambiguous();
     const CalibrationFactor others = evidence_ - track.contribution();
-    for (const Hypothesis& h : track.hypotheses()) {
+    for (const Hypothesis& h : track.straightened(prior_.given(others))) {
       const RangeCalibration c = prior_.given(others + h.calibration);
       estimate.modes.push_back({h.weight, h.mean(c), h.covariance(c)});
     }

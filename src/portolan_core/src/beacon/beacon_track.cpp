@@ -7,6 +7,7 @@
 
 #include "portolan/beacon/inverse_range.hpp"
 #include "portolan/beacon/merge.hpp"
+#include "portolan/beacon/polar.hpp"
 #include "portolan/beacon/range_update.hpp"
 
 namespace portolan {
@@ -28,8 +29,11 @@ void BeaconTrack::update(const PosedRange& z, const CalibrationPrior& prior,
     start(z, prior.given(others), options);
   } else {
     forget(z, drift, options);
+    if (polar_)
+      split_polar(z.p_map, z.stddev, origin_, prior.given(others), options.max_modes, hypotheses_);
     weigh(z, prior, others, options);
     const double p_right = normalize_and_prune(options);
+    if (polar_) straighten(prior.given(others));
     merge_close(options.merge_distance, ranges_, hypotheses_);
     if (p_right < 0.5) ++outliers_;
     fit_ += (p_right - fit_) / options.restart.memory;
@@ -50,7 +54,9 @@ bool BeaconTrack::stands_elsewhere(const RangeCalibration& calibration,
   if (best().weight >= 1.0 - options.ambiguous_share) return false;
   double elsewhere = 0.0;
   for (const Hypothesis& h : hypotheses_) {
-    if (&h == &best() || mahalanobis_distance(h, best(), calibration) < kApart) continue;
+    const bool comparable = !h.is_polar && !best().is_polar;
+    if (&h == &best()) continue;
+    if (comparable && mahalanobis_distance(h, best(), calibration) < kApart) continue;
     elsewhere += h.weight;
     if (elsewhere > options.ambiguous_share) return true;
   }
@@ -60,8 +66,10 @@ bool BeaconTrack::stands_elsewhere(const RangeCalibration& calibration,
 void BeaconTrack::start(const PosedRange& z, const RangeCalibration& calibration,
                         const BeaconOptions& options) {
   origin_ = z.p_map;
+  if (options.space == BeaconSpace::planar) origin_.z() = 0.0;
   fit_ = kNewcomersFit;
-  if (options.parametrization == BeaconParametrization::polar) {
+  polar_ = options.parametrization == BeaconParametrization::polar;
+  if (polar_) {
     inverse_range_polar(z, calibration, options, hypotheses_);
   } else {
     inverse_range(z, calibration, options, hypotheses_);
@@ -74,10 +82,29 @@ void BeaconTrack::forget(const PosedRange& z, double drift, const BeaconOptions&
   if (drift == 0.0 || !last_p_map_) return;
   const double variance = drift * drift * (z.p_map - *last_p_map_).norm();
   for (Hypothesis& h : hypotheses_) {
-    h.Q(0, 0) += variance;
-    h.Q(1, 1) += variance;
-    if (options.space == BeaconSpace::spatial) h.Q(2, 2) += variance;
+    Eigen::Vector3d spread(1.0, 1.0, options.space == BeaconSpace::spatial ? 1.0 : 0.0);
+    if (h.is_polar) spread.tail<2>() /= h.x[0] * h.x[0];  // of angles
+    h.Q.diagonal() += variance * spread;
   }
+}
+
+void BeaconTrack::straighten(const RangeCalibration& calibration) {
+  straighten_polar(origin_, calibration, hypotheses_);
+  const auto is_polar = [](const Hypothesis& h) { return h.is_polar; };
+  polar_ = std::any_of(hypotheses_.begin(), hypotheses_.end(), is_polar);
+}
+
+std::vector<Hypothesis> BeaconTrack::straightened(const RangeCalibration& calibration) const {
+  if (!polar_) return hypotheses_;
+  std::vector<Hypothesis> straight;
+  for (const Hypothesis& h : hypotheses_) {
+    if (h.is_polar) {
+      append_straightened(h, origin_, calibration, straight);
+    } else {
+      straight.push_back(h);
+    }
+  }
+  return straight;
 }
 
 void BeaconTrack::weigh(const PosedRange& z, const CalibrationPrior& prior,

@@ -16,11 +16,15 @@ constexpr double kBend = 0.15;
 // Distance of neighbours in standard deviations: a row of Gaussians so far apart is flat to 1 %.
 constexpr double kSpacing = 1.7;
 
+// A ring of four Gaussians 90 degrees apart and 50 wide, as in Figure 12, is flat to 1 %.
+constexpr int kPolarColumns = 4;
+constexpr double kPolarStep = 2.0 * kPi / kPolarColumns;
+constexpr double kPolarDeviation = 50.0 / 180.0 * kPi;
+
 struct Sphere {
   double distance;           // mean distance given the reading [m]
   double variance;           // of it [m^2]
   Eigen::RowVector2d slope;  // d distance / d (scale, bias)
-  double height;             // of the beacons' plane above the antenna [m]
 };
 
 Sphere sphere_of(const PosedRange& z, const RangeCalibration& c, int free_dimensions) {
@@ -31,7 +35,6 @@ Sphere sphere_of(const PosedRange& z, const RangeCalibration& c, int free_dimens
   const double reach = std::max(distance, std::sqrt(sphere.variance));
   sphere.distance = distance + (free_dimensions - 1) * sphere.variance / reach;
   sphere.slope = Eigen::RowVector2d(-sphere.distance, -1.0) / c.scale;
-  sphere.height = 0.0;
   return sphere;
 }
 
@@ -77,12 +80,16 @@ double bent_variance(double variance, double radius, double tangent, int tangent
   return std::max(variance - 0.5 * tangents * bend * bend, 0.25 * variance);
 }
 
+double height_squared(const BeaconOptions& options) {
+  return options.space == BeaconSpace::planar ? options.height * options.height : 0.0;
+}
+
 void ring(const PosedRange& z, const RangeCalibration& c, const BeaconOptions& options,
           std::vector<Hypothesis>& modes) {
   const Sphere sphere = sphere_of(z, c, 2);
   const Eigen::Matrix3d plane = Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal();
   const Eigen::Vector3d center(z.p_map.x(), z.p_map.y(), 0.0);
-  const double squared = sphere.distance * sphere.distance - options.height * options.height;
+  const double squared = sphere.distance * sphere.distance - height_squared(options);
   const double blur = 2.0 * sphere.distance * std::sqrt(sphere.variance);  // of the square
   if (squared <= blur) {
     return blob(center, 0.5 * (std::max(squared, 0.0) + blur), plane, modes);
@@ -154,8 +161,31 @@ void inverse_range(const PosedRange& z, const RangeCalibration& calibration,
 
 void inverse_range_polar(const PosedRange& z, const RangeCalibration& calibration,
                          const BeaconOptions& options, std::vector<Hypothesis>& modes) {
-  (void)options;
-  inverse_range(z, calibration, options, modes);
+  const bool planar = options.space == BeaconSpace::planar;
+  const Sphere sphere = sphere_of(z, calibration, planar ? 2 : 3);
+  const double blur = 2.0 * sphere.distance * std::sqrt(sphere.variance);
+  const double squared = sphere.distance * sphere.distance - height_squared(options);
+  if (squared <= blur) return inverse_range(z, calibration, options, modes);
+  const double radius = std::sqrt(squared);
+  const double stretch = sphere.distance / radius;
+  const double band = planar ? 0.0 : options.elevation_max - options.elevation_min;
+  const int rows = planar ? 1 : static_cast<int>(std::ceil(band / kPolarStep));
+  modes.clear();
+  for (int row = 0; row < rows; ++row) {
+    const double elevation = planar ? 0.0 : options.elevation_min + (row + 0.5) * band / rows;
+    for (int column = 0; column < kPolarColumns; ++column) {
+      Hypothesis mode;
+      mode.is_polar = true;
+      mode.log_weight = std::log(std::cos(elevation));
+      mode.G.row(0) = stretch * sphere.slope;
+      mode.x =
+          Eigen::Vector3d(radius, column * kPolarStep, elevation) - mode.G * calibration.deviation;
+      mode.Q.diagonal() << stretch * stretch * sphere.variance, kPolarDeviation * kPolarDeviation,
+          std::pow(band / rows / kSpacing, 2);
+      modes.push_back(mode);
+    }
+  }
+  normalize(modes);
 }
 
 }  // namespace portolan

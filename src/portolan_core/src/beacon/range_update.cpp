@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "portolan/beacon/polar.hpp"
+
 namespace portolan {
 
 namespace {
@@ -30,9 +32,12 @@ RangeFit fit_of(double innovation, double variance, const RangeOutlierOptions& o
 }  // namespace
 
 RangeFit update_hypothesis(const PosedRange& z, const RangeCalibration& c,
-                           const RangeOutlierOptions& outliers, const Eigen::Vector3d& /*origin*/,
+                           const RangeOutlierOptions& outliers, const Eigen::Vector3d& origin,
                            Hypothesis& hypothesis) {
-  const DistancePrediction distance = predict_distance(hypothesis.mean(c), hypothesis.Q, z.p_map);
+  const Eigen::Vector3d mean = hypothesis.mean(c);
+  const DistancePrediction distance =
+      hypothesis.is_polar ? predict_distance_polar(mean, hypothesis.Q, origin, z.p_map)
+                          : predict_distance(mean, hypothesis.Q, z.p_map);
   // reading = scale * distance + bias, and how that depends on the calibration.
   const Eigen::RowVector2d L =
       c.scale * distance.H * hypothesis.G + Eigen::RowVector2d(distance.mean, 1.0);

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "beacon/grid_filter.hpp"
 #include "beacon/scenario.hpp"
@@ -47,9 +49,26 @@ double mahalanobis_squared(const BeaconMode& mode, const Eigen::Vector3d& p) {
   return step.dot(P.inverse() * step);
 }
 
-TEST(BeaconMapper, AStraightPathLeavesTwoMirrorImages) {
+class BeaconMapperBothWays : public ::testing::TestWithParam<BeaconParametrization> {
+ protected:
+  static BeaconOptions options() {
+    BeaconOptions options = calibrated();
+    options.parametrization = GetParam();
+    return options;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Parametrizations, BeaconMapperBothWays,
+                         ::testing::Values(BeaconParametrization::cartesian_mixture,
+                                           BeaconParametrization::polar),
+                         [](const auto& info) {
+                           return std::string(
+                               enum_names(info.param)[static_cast<std::size_t>(info.param)]);
+                         });
+
+TEST_P(BeaconMapperBothWays, AStraightPathLeavesTwoMirrorImages) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    const BeaconEstimate beacon = drive_figure_11(kStraight, calibrated(), seed).estimates()[0];
+    const BeaconEstimate beacon = drive_figure_11(kStraight, options(), seed).estimates()[0];
     const std::vector<BeaconMode> modes = modes_above(beacon, 0.05);
     ASSERT_EQ(modes.size(), 2u) << "seed " << seed;
     EXPECT_TRUE(beacon.ambiguous);
@@ -59,10 +78,10 @@ TEST(BeaconMapper, AStraightPathLeavesTwoMirrorImages) {
   }
 }
 
-TEST(BeaconMapper, AfterTheTurnOneModeIsLeftAndItIsTrue) {
+TEST_P(BeaconMapperBothWays, AfterTheTurnOneModeIsLeftAndItIsTrue) {
   int within = 0;
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    const BeaconEstimate beacon = drive_figure_11(24, calibrated(), seed).estimates()[0];
+    const BeaconEstimate beacon = drive_figure_11(24, options(), seed).estimates()[0];
     ASSERT_EQ(modes_above(beacon, 0.01).size(), 1u) << "seed " << seed;
     EXPECT_FALSE(beacon.ambiguous);
     EXPECT_LT((beacon.modes[0].mean - kBeacon).norm(), 0.5);
@@ -83,22 +102,24 @@ TEST(BeaconMapper, SaysToDriveOffTheLineThatLeavesAMirrorImage) {
   EXPECT_GT(told, straight_on + 0.9 * std::log(2.0));  // ln 2: which of two it is
 }
 
-TEST(BeaconMapper, MatchesTheGridFilterAfterOneTwoFiveAndTwentyRanges) {
-  for (std::uint32_t seed = 0; seed < 5; ++seed) {
-    BeaconOptions options = calibrated();
-    options.outliers.share = 1e-9;  // Eq. 36 alone
-    BeaconMapper mapper(options);
-    beacon_test::GridFilter exact(10.0, 0.04);
+TEST_P(BeaconMapperBothWays, MatchesTheGridFilterAfterOneTwoFiveAndTwentyRanges) {
+  const bool polar = GetParam() == BeaconParametrization::polar;
+  const std::array<double, 4> bounds = polar ? std::array<double, 4>{0.08, 0.1, 0.12, 0.15}
+                                             : std::array<double, 4>{0.01, 0.04, 0.12, 0.2};
+  for (std::uint32_t seed = 0; seed < 2; ++seed) {
+    BeaconOptions alone = options();
+    alone.outliers.share = 1e-9;  // Eq. 36 alone
+    BeaconMapper mapper(alone);
+    beacon_test::GridFilter exact(8.0, 0.05);
     Dice dice(seed);
-    const double bounds[] = {0.04, 0.06, 0.15, 0.2};
-    int compared = 0;
+    std::size_t compared = 0;
     for (int step = 0; step < 20; ++step) {
       const Pose pose = beacon_test::figure_11(step, kStraight);
       const double range = (kBeacon - pose.translation()).norm() + dice.normal(0.2);
       mapper.insert(one_range(0, range, 0.2), pose);
       exact.update(pose.translation().head<2>(), range, 0.2);
       if (step != 0 && step != 1 && step != 4 && step != 19) continue;
-      const double variation = exact.total_variation(mapper.estimates()[0].modes, 1);
+      const double variation = exact.total_variation(mapper.estimates()[0].modes);
       EXPECT_LT(variation, bounds[compared++]) << "seed " << seed << ", ranges " << step + 1;
     }
   }
@@ -118,12 +139,12 @@ TEST(BeaconMapper, SurvivesThousandsOfRanges) {
   EXPECT_EQ(beacon.restarts, 0u);
 }
 
-TEST(BeaconMapper, FindsABeaconInSpace) {
-  BeaconOptions options = calibrated();
-  options.space = BeaconSpace::spatial;
+TEST_P(BeaconMapperBothWays, FindsABeaconInSpace) {
+  BeaconOptions spatial = options();
+  spatial.space = BeaconSpace::spatial;
   const Eigen::Vector3d truth(2.0, 3.0, 1.5);
   Dice dice(5);
-  BeaconMapper mapper(options);
+  BeaconMapper mapper(spatial);
   for (int step = 0; step < 200; ++step) {
     const Pose pose = antenna_at(2.0 * std::cos(0.1 * step), 2.0 * std::sin(0.1 * step),
                                  0.8 * std::sin(0.037 * step));
@@ -151,9 +172,9 @@ TEST(BeaconMapper, FromOneHeightABeaconInSpaceStaysAmbiguous) {
   EXPECT_GT(std::abs(beacon.direction->z()), 0.9);
 }
 
-TEST(BeaconMapper, ABeaconThatStartedFromAWrongRangeRecovers) {
+TEST_P(BeaconMapperBothWays, ABeaconThatStartedFromAWrongRangeRecovers) {
   Dice dice(9);
-  BeaconMapper mapper(calibrated());
+  BeaconMapper mapper(options());
   mapper.insert(one_range(1, 25.0, 0.1), antenna_at(0.0, 0.0));
   for (int step = 0; step < 60; ++step) {
     const Pose pose = beacon_test::figure_11(step, kStraight);
@@ -241,11 +262,11 @@ TEST(BeaconMapper, RangesBeyondTheDevicesReachAreRejected) {
   EXPECT_EQ(mapper.counts().too_long, 1u);
 }
 
-TEST(BeaconMapper, AKnownHeightIsTakenOut) {
-  BeaconOptions options = calibrated();
-  options.height = 2.5;
+TEST_P(BeaconMapperBothWays, AKnownHeightIsTakenOut) {
+  BeaconOptions above = options();
+  above.height = 2.5;
   Dice dice(2);
-  BeaconMapper mapper(options);
+  BeaconMapper mapper(above);
   const Eigen::Vector3d truth = kBeacon + Eigen::Vector3d(0.0, 0.0, 2.5 + 0.4);
   for (int step = 0; step < 60; ++step) {
     Pose pose = beacon_test::figure_11(step, kStraight);

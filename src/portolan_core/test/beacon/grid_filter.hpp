@@ -29,21 +29,13 @@ class GridFilter {
     for (double& p : p_) p /= total;
   }
 
-  /// Half the integral of the difference to a sum of Gaussians, in [0, 1]. Compared over blocks
-  /// of `block` x `block` cells.
-  double total_variation(const std::vector<BeaconMode>& modes, int block) const {
-    const int blocks = cells_ / block;
-    std::vector<double> difference(static_cast<std::size_t>(blocks) *
-                                   static_cast<std::size_t>(blocks));
-    for (std::size_t i = 0; i < p_.size(); ++i) {
-      const int row = static_cast<int>(i) / cells_ / block;
-      const int column = static_cast<int>(i) % cells_ / block;
-      if (row >= blocks || column >= blocks) continue;
-      difference[static_cast<std::size_t>(row * blocks + column)] +=
-          p_[i] - density(modes, center(i)) * cell_ * cell_;
-    }
+  /// Half the integral of the difference to a sum of Gaussians, in [0, 1].
+  double total_variation(const std::vector<BeaconMode>& modes) const {
+    const std::vector<Gaussian> mixture = gaussians(modes);
     double sum = 0.0;
-    for (const double d : difference) sum += std::abs(d);
+    for (std::size_t i = 0; i < p_.size(); ++i) {
+      sum += std::abs(p_[i] - density(mixture, center(i)) * cell_ * cell_);
+    }
     return 0.5 * sum;
   }
 
@@ -55,14 +47,30 @@ class GridFilter {
            Eigen::Vector2d::Constant(half_width_);
   }
 
-  static double density(const std::vector<BeaconMode>& modes, const Eigen::Vector2d& p) {
-    double sum = 0.0;
+  struct Gaussian {
+    Eigen::Vector2d mean;
+    Eigen::Matrix2d information;
+    double peak;
+    double reach;  // ten deviations and more [m]
+  };
+
+  static std::vector<Gaussian> gaussians(const std::vector<BeaconMode>& modes) {
+    std::vector<Gaussian> all;
     for (const BeaconMode& mode : modes) {
       const Eigen::Matrix2d P = mode.covariance.topLeftCorner<2, 2>();
-      const Eigen::Vector2d step = p - mode.mean.head<2>();
-      const double squared = step.dot(P.inverse() * step);
-      if (squared > 50.0) continue;
-      sum += mode.weight * std::exp(-0.5 * squared) / (2.0 * M_PI * std::sqrt(P.determinant()));
+      all.push_back({mode.mean.head<2>(), P.inverse(),
+                     mode.weight / (2.0 * M_PI * std::sqrt(P.determinant())),
+                     10.0 * std::sqrt(P.trace())});
+    }
+    return all;
+  }
+
+  static double density(const std::vector<Gaussian>& modes, const Eigen::Vector2d& p) {
+    double sum = 0.0;
+    for (const Gaussian& mode : modes) {
+      const Eigen::Vector2d step = p - mode.mean;
+      if (step.squaredNorm() > mode.reach * mode.reach) continue;
+      sum += mode.peak * std::exp(-0.5 * step.dot(mode.information * step));
     }
     return sum;
   }

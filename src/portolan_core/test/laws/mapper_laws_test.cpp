@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "laws/beacon_mapper_case.hpp"
 #include "laws/grid_mapper_case.hpp"
 #include "portolan/remapper.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 // A case says for its mapper: Mapper; options(); observation(); pose(); and equal(a, b), all drawn
 // from the seed that it is made with. A mapper joins the laws by its case in this list.
-using Cases = ::testing::Types<GridMapperCase>;
+using Cases = ::testing::Types<GridMapperCase, BeaconMapperCase>;
 
 template <class Case>
 class MapperLaws : public ::testing::Test {

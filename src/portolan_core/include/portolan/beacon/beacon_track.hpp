@@ -23,6 +23,8 @@ class BeaconTrack {
 
   /// Never empty after the first range; the heaviest may stand anywhere. Weights sum to 1.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+  /// The same with polar ones replaced by as many in x, y, z as it takes.
+  std::vector<Hypothesis> straightened(const RangeCalibration& calibration) const;
   const Hypothesis& best() const { return hypotheses_[best_]; }
 
   /// True while hypotheses three Mahalanobis distances from the best, or more, hold more than the
@@ -54,6 +56,7 @@ class BeaconTrack {
   void weigh(const PosedRange& z, const CalibrationPrior& prior, const CalibrationFactor& others,
              const BeaconOptions& options);
   double normalize_and_prune(const BeaconOptions& options);
+  void straighten(const RangeCalibration& calibration);
   void find_best();
   bool stands_elsewhere(const RangeCalibration& calibration, const BeaconOptions& options) const;
 
@@ -61,6 +64,7 @@ class BeaconTrack {
   std::vector<double> fits_;  // P(the range was right | hypothesis), beside the hypotheses
   std::size_t best_ = 0;
   bool is_ambiguous_ = true;
+  bool polar_ = false;  // some hypotheses are
   CalibrationFactor contribution_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector3d> last_p_map_;
