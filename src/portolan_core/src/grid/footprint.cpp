@@ -15,7 +15,24 @@ constexpr int kFine = Footprint::kFine;
 constexpr int kSide = TileMap::kSide;
 constexpr int kMaxSide = 8500;  // of a window [cell]: keeps the walks exact
 
+// The lowest n bits, for n in [0, 64].
+std::uint64_t ones(int n) { return n == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1; }
+
 }  // namespace
+
+// The columns of a span whose centres lie at most `half` from `centre`.
+Footprint::Span Footprint::within(const Span& span, std::int32_t centre, std::int32_t half) {
+  if (half < 0) return {};
+  return {std::max(span.begin, fine_walk::first_centre(centre - half)),
+          std::min(span.end, fine_walk::first_centre(centre + half + 1))};
+}
+
+// A span's part in a strip.
+Footprint::Word Footprint::bits(const Span& span, int strip) {
+  const int begin = std::clamp(span.begin - strip * kSide, 0, kSide);
+  const int end = std::clamp(span.end - strip * kSide, 0, kSide);
+  return ones(end) & ~ones(begin);
+}
 
 bool Footprint::open(Anchor anchor, FinePoint min, FinePoint max) {
   const auto cell = [](std::int64_t fine) { return static_cast<std::int32_t>(fine >> kFineLog2); };
@@ -88,18 +105,27 @@ void Footprint::cone(FinePoint b, FinePoint c, std::int64_t free, std::int64_t o
   }
   measure_disc(free, free_half_);
   measure_disc(std::max(free, occupied), half_);
-  const FinePoint centre = corners[0];
+  const std::int32_t centre = corners[0].x;
+  free_spans_.resize(spans_.size());
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    const int row = first_row_ + static_cast<int>(i);
-    const Span near = within(spans_[i], centre.x, free_half_[i]);
-    const Span all = within(spans_[i], centre.x, half_[i]);
-    if (near.begin >= near.end) {
-      mark(occupied_, is_occupied_, row, all);
-    } else {
-      mark(free_, is_free_, row, near);
-      mark(occupied_, is_occupied_, row, {all.begin, near.begin});
-      mark(occupied_, is_occupied_, row, {near.end, all.end});
-    }
+    free_spans_[i] = within(spans_[i], centre, free_half_[i]);
+    spans_[i] = within(spans_[i], centre, half_[i]);
+  }
+  for (int strip = 0; strip < strips_; ++strip) mark_spans(strip);
+}
+
+// Frees the free spans, and occupies what the others have besides, in a strip.
+void Footprint::mark_spans(int strip) {
+  const auto first = static_cast<std::size_t>(strip * rows_ + first_row_);
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Word free = bits(free_spans_[i], strip);
+    const Word occupied = bits(spans_[i], strip) & ~free;
+    free_[first + i] |= free;
+    occupied_[first + i] |= occupied;
+  }
+  for (int row = first_row_ & ~(kSide - 1); row < end_row_; row += kSide) {
+    is_free_[tile_at(strip * kSide, row)] = 1;
+    is_occupied_[tile_at(strip * kSide, row)] = 1;
   }
 }
 
@@ -113,26 +139,6 @@ void Footprint::measure_disc(std::int64_t radius, std::vector<std::int32_t>& hal
     const double rest = square - dy * dy;
     const auto root = static_cast<std::int32_t>(std::sqrt(std::max(rest, 0.0)));
     half[i] = rest < 0.0 ? -1 : root;
-  }
-}
-
-// The columns of a span whose centres lie at most `half` from `centre`.
-Footprint::Span Footprint::within(const Span& span, std::int32_t centre, std::int32_t half) {
-  if (half < 0) return {};
-  return {std::max(span.begin, fine_walk::first_centre(centre - half)),
-          std::min(span.end, fine_walk::first_centre(centre + half + 1))};
-}
-
-void Footprint::mark(std::vector<Word>& plane, std::vector<std::uint8_t>& marks, int row,
-                     const Span& span) {
-  if (span.begin >= span.end) return;
-  const int last = (span.end - 1) >> 6;
-  for (int strip = span.begin >> 6; strip <= last; ++strip) {
-    Word bits = ~Word{0};
-    if (strip == span.begin >> 6) bits &= ~Word{0} << (span.begin & 63);
-    if (strip == last) bits &= ~Word{0} >> (63 - ((span.end - 1) & 63));
-    word(plane, strip * kSide, row) |= bits;
-    marks[tile_at(strip * kSide, row)] = 1;
   }
 }
 

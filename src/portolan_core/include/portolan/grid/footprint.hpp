@@ -84,7 +84,8 @@ class Footprint {
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
   void measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const;
   static Span within(const Span& span, std::int32_t centre, std::int32_t half);
-  void mark(std::vector<Word>& plane, std::vector<std::uint8_t>& marks, int row, const Span& span);
+  static Word bits(const Span& span, int strip);
+  void mark_spans(int strip);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
   bool take_bits(int strip, int band);
   void take_toggled(Word* toggled);
@@ -112,6 +113,7 @@ class Footprint {
   TileBits freed_{};
   TileBits hit_{};
   std::vector<Span> spans_;  // by row: of the cone
+  std::vector<Span> free_spans_;
   std::vector<std::int32_t> free_half_;
   std::vector<std::int32_t> half_;
 };
