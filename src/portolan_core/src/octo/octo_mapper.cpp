@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace portolan {
 
@@ -101,6 +102,11 @@ void add(PointCounts& sum, const PointCounts& more) {
 OctoMapper::OctoMapper(const Options& options)
     : options_(checked(options)), lattice_(options_.resolution), model_(options_.sensor_model) {}
 
+OctoMapper::OctoMapper(const Options& options, VoxelBlocks blocks) : OctoMapper(options) {
+  blocks_ = std::move(blocks);
+  revision_ = blocks_.newest_revision();
+}
+
 Outcome OctoMapper::insert(const Observation& z, const Pose& T_map_sensor) {
   if (!is_valid(T_map_sensor)) return Outcome::rejected;
   return std::visit([&](const auto& seen) { return draw(seen, T_map_sensor); }, z);
@@ -115,11 +121,17 @@ std::optional<float> OctoMapper::log_odds(const octomap::point3d& p_map) const {
   return block->log_odds[i];
 }
 
-void OctoMapper::set(const octomap::OcTreeKey& key, float log_odds) {
-  VoxelBlock& block = blocks_.change(block_of(key), revision_);
-  const std::size_t i = VoxelBlock::index(key[0] % 8, key[1] % 8, key[2] % 8);
-  block.log_odds[i] = log_odds;
-  block.known[i / 64] |= std::uint64_t{1} << (i % 64);
+std::optional<Eigen::AlignedBox3d> OctoMapper::changed_since(Revision revision) const {
+  Eigen::AlignedBox3d box;
+  blocks_.for_each_changed_since(revision, [&](BlockKey key, const VoxelBlock& /*block*/) {
+    const Eigen::Array3d centre(lattice_.centre(8 * key.x), lattice_.centre(8 * key.y),
+                                lattice_.centre(8 * key.z));
+    const Eigen::Array3d low = centre - 0.5 * lattice_.resolution();
+    box.extend(low.matrix());
+    box.extend((low + 8.0 * lattice_.resolution()).matrix());
+  });
+  if (box.isEmpty()) return std::nullopt;
+  return box;
 }
 
 Outcome OctoMapper::draw(const RangeScan& scan, const Pose& T_map_sensor) {

@@ -9,6 +9,7 @@ namespace portolan {
 namespace {
 
 constexpr int kVoxels = BlockKey::kVoxels;
+constexpr std::size_t kRaysAtOnce = 256;  // few enough to stay in the nearest cache
 constexpr std::int64_t kMaxDenseBits = std::int64_t{1} << 30;
 
 /// The block of a voxel; keys below 0 lie in block -1.
@@ -83,15 +84,23 @@ void RayMarks::mark_crossed(const RayWalk& ray) {
     return dense_.contains(static_cast<int>(RayWalk::x(cell)), static_cast<int>(RayWalk::y(cell)),
                            static_cast<int>(RayWalk::z(cell)));
   };
-  if (!stays(ray.start) || !stays(ray.end)) return mark_crossed_sparse(ray);
-  const RayWalk::Cell corner =
-      RayWalk::cell(kVoxels * corner_.x, kVoxels * corner_.y, kVoxels * corner_.z);
+  std::vector<RayWalk>& waiting = stays(ray.start) && stays(ray.end) ? near_ : far_;
+  waiting.push_back(ray);
+  if (waiting.size() == kRaysAtOnce) walk_waiting();
+}
+
+void RayMarks::walk_waiting() {
   const std::uint32_t* x = bit_of_x_.data();
   const std::uint32_t* y = bit_of_y_.data();
   const std::uint32_t* z = bit_of_z_.data();
-  walk(ray, corner, [x, y, z, words = crossed_.data()](RayWalk::Cell cell) {
-    set_bit(words, x[RayWalk::x(cell)] + y[RayWalk::y(cell)] + z[RayWalk::z(cell)]);
-  });
+  walk(near_, RayWalk::cell(kVoxels * corner_.x, kVoxels * corner_.y, kVoxels * corner_.z),
+       [x, y, z, words = crossed_.data()](RayWalk::Cell cell) {
+         set_bit(words, x[RayWalk::x(cell)] + y[RayWalk::y(cell)] + z[RayWalk::z(cell)]);
+       });
+  near_.clear();
+  walk(far_, RayWalk::cell(-kVoxels, -kVoxels, -kVoxels),
+       [this](RayWalk::Cell cell) { mark_crossed_sparse(cell); });
+  far_.clear();
 }
 
 void RayMarks::mark_end(const octomap::OcTreeKey& key) {
@@ -131,20 +140,16 @@ void RayMarks::lay_volume(const Box& dense) {
   }
 }
 
-void RayMarks::mark_crossed_sparse(const RayWalk& ray) {
-  std::uint64_t last = ~std::uint64_t{0};
-  VoxelMask* mask = nullptr;
-  walk(ray, RayWalk::cell(-kVoxels, -kVoxels, -kVoxels), [&](RayWalk::Cell cell) {
-    const int x = static_cast<int>(RayWalk::x(cell)) - kVoxels;
-    const int y = static_cast<int>(RayWalk::y(cell)) - kVoxels;
-    const int z = static_cast<int>(RayWalk::z(cell)) - kVoxels;
-    const int top = VoxelLattice::kSide;
-    if (x < 0 || y < 0 || z < 0 || x >= top || y >= top || z >= top) return;
-    const std::uint64_t key = packed(block_key(x / kVoxels, y / kVoxels, z / kVoxels));
-    if (key != last) mask = &sparse_[key].crossed;
-    last = key;
-    set_bit(*mask, RayWalk::x(cell), RayWalk::y(cell), RayWalk::z(cell));
-  });
+void RayMarks::mark_crossed_sparse(RayWalk::Cell cell) {
+  const auto is_key = [](std::size_t k) {
+    return k >= kVoxels && k < VoxelLattice::kSide + kVoxels;
+  };
+  const std::size_t x = RayWalk::x(cell);
+  const std::size_t y = RayWalk::y(cell);
+  const std::size_t z = RayWalk::z(cell);
+  if (!is_key(x) || !is_key(y) || !is_key(z)) return;
+  const auto block = [](std::size_t k) { return static_cast<int>(k / kVoxels) - 1; };
+  set_bit(sparse_[packed(block_key(block(x), block(y), block(z)))].crossed, x, y, z);
 }
 
 void RayMarks::merge_sparse() {

@@ -55,6 +55,15 @@ inline void insert(octomap::OcTree& tree, const OctoMapper::Options& options,
                         options.sensor_model.max_range, false, options.discretize);
 }
 
+/// How many voxels are known.
+inline std::size_t count_of_known(const OctoMapper& map) {
+  std::size_t known = 0;
+  map.blocks().for_each([&](BlockKey /*key*/, const VoxelBlock& block) {
+    for (std::size_t i = 0; i < block.log_odds.size(); ++i) known += block.is_known(i) ? 1 : 0;
+  });
+  return known;
+}
+
 /// Every node of the tree, leaves and inner ones, bit by bit.
 inline std::string bytes(const octomap::OcTree& tree) {
   std::ostringstream out;

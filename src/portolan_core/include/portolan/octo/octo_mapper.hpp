@@ -50,6 +50,9 @@ class OctoMapper {
 
   explicit OctoMapper(const Options& options);  ///< throws OptionsError
 
+  /// The same, starting from these voxels instead of nothing.
+  OctoMapper(const Options& options, VoxelBlocks blocks);
+
   /// Takes what a sensor at `T_map_sensor` saw. Within one observation each voxel changes at most
   /// once, and ends of rays win over rays that pass. `rejected`: the pose is none. `unusable`: a
   /// scan without sensible angles and limits, a box without extent.
@@ -71,8 +74,8 @@ class OctoMapper {
   /// From these log-odds on a voxel is occupied.
   float threshold_log_odds() const { return octomap::logodds(options_.occupancy_threshold); }
 
-  /// Sets a voxel, as a map from a file does.
-  void set(const octomap::OcTreeKey& key, float log_odds);
+  /// A box around all that changed after the map had this revision [m]; none where nothing did.
+  std::optional<Eigen::AlignedBox3d> changed_since(Revision revision) const;
 
  private:
   Outcome draw(const ClearBox& box, const Pose& T_map_box);
@@ -94,5 +97,8 @@ class OctoMapper {
 inline std::size_t byte_size(const OctoMapper::Observation& z) {
   return std::visit([](const auto& observation) { return byte_size(observation); }, z);
 }
+
+/// What the map occupies in memory [byte].
+inline std::size_t byte_size(const OctoMapper& map) { return map.blocks().byte_size(); }
 
 }  // namespace portolan

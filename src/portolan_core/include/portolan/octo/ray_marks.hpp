@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "portolan/octo/ray_walk.hpp"
+#include "portolan/octo/ray_pair.hpp"
 #include "portolan/octo/voxel_block.hpp"
 
 namespace portolan {
@@ -43,6 +43,7 @@ class RayMarks {
   template <class Visit>
   void take(Visit visit) {
     const auto is_key = [](int b) { return b >= 0 && b < BlockKey::kSide; };
+    walk_waiting();
     merge_sparse();
     std::size_t word = 0;
     for (int z = corner_.z; z < corner_.z + sides_.z; ++z) {
@@ -80,7 +81,8 @@ class RayMarks {
   static BlockKey unpacked(std::uint64_t packed);
 
   void lay_volume(const Box& dense);
-  void mark_crossed_sparse(const RayWalk& ray);
+  void walk_waiting();
+  void mark_crossed_sparse(RayWalk::Cell cell);
   void merge_sparse();
   bool take_dense(std::size_t word, Marks& marks);
 
@@ -89,7 +91,8 @@ class RayMarks {
   Blocks sides_;
   std::vector<std::uint32_t> bit_of_x_, bit_of_y_, bit_of_z_;  // voxel of the volume -> bit
   std::vector<std::uint64_t> crossed_, ends_;                  // 8 words a block; 0 when idle
-  std::unordered_map<std::uint64_t, Marks> sparse_;            // by packed BlockKey
+  std::vector<RayWalk> near_, far_;  // rays that wait to be walked in the volume, or across it
+  std::unordered_map<std::uint64_t, Marks> sparse_;  // by packed BlockKey
 };
 
 }  // namespace portolan

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -40,27 +41,5 @@ struct RayWalk {
 /// both in the same voxel.
 std::optional<RayWalk> ray_walk(const VoxelLattice& lattice, const octomap::point3d& origin,
                                 const octomap::point3d& end);
-
-/// Calls mark(cell) for every voxel that the ray crosses before its last one, counted from the
-/// voxel whose cell is `corner`.
-template <class Mark>
-void walk(const RayWalk& ray, RayWalk::Cell corner, Mark mark) {
-  auto [tx, ty, tz] = ray.t;
-  RayWalk::Cell cell = ray.start - corner;
-  const RayWalk::Cell end = ray.end - corner;
-  for (mark(cell);; mark(cell)) {
-    if (tx < ty && tx < tz) {
-      cell += ray.step[0];
-      tx += ray.t_delta[0];
-    } else if (!(tx < ty) && ty < tz) {
-      cell += ray.step[1];
-      ty += ray.t_delta[1];
-    } else {
-      cell += ray.step[2];
-      tz += ray.t_delta[2];
-    }
-    if (cell == end || (tx > ray.length && ty > ray.length && tz > ray.length)) return;
-  }
-}
 
 }  // namespace portolan

@@ -42,6 +42,9 @@ class VoxelBlocks {
     for (std::size_t i = 0; i < blocks_.size(); ++i) visit(entries_[i].key, blocks_[i]);
   }
 
+  /// The revision of the last change; 0 where there is no block.
+  Revision newest_revision() const { return newest_ == kNone ? 0 : entries_[newest_].revision; }
+
   /// What they occupy in memory [byte].
   std::size_t byte_size() const;
 
