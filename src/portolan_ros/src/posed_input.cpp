@@ -17,6 +17,9 @@ namespace {
 
 const char* const kAuthority = "portolan";
 
+/// tf2 goes on with a line for each frame that it knows.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 std::string tenths(double seconds) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.1f", seconds);
@@ -205,7 +208,7 @@ std::string PosedInput::why_not(const Message& message) const {
     return "no transform " + arrow + " at their stamps; newest is " + tenths(std::abs(gap)) +
            (gap >= 0.0 ? " s older" : " s newer");
   } catch (const tf2::TransformException& error) {
-    return "no transform " + arrow + ": " + error.what();
+    return "no transform " + arrow + ": " + first_line(error.what());
   }
 }
 
