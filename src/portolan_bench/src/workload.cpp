@@ -51,9 +51,10 @@ std::vector<Wall> room_walls() {
 
 std::vector<Wall> hall_walls() {
   std::vector<Wall> walls;
-  add_box(walls, 0.0, 0.0, 30.0);
+  const Eigen::Vector2d p(0.0, 0.0), q(30.0, 0.0), r(30.0, 20.0), t(0.0, 20.0);
+  walls.insert(walls.end(), {{p, q}, {q, r}, {r, t}, {t, p}});
   for (double x : {5.0, 15.0, 25.0}) {
-    for (double y : {7.0, 23.0}) add_box(walls, x, y, 0.4);
+    for (double y : {5.0, 15.0}) add_box(walls, x, y, 0.4);
   }
   return walls;
 }
@@ -118,7 +119,7 @@ Workload rooms(int beams, double aperture, double max_range) {
 }
 
 Workload hall(int beams, double aperture, double max_range) {
-  return simulate("hall", hall_walls(), straight(30.0, 12.0), beams, aperture, max_range);
+  return simulate("hall", hall_walls(), straight(30.0, 8.0), beams, aperture, max_range);
 }
 
 #ifdef PORTOLAN_BENCH_HAS_MRPT

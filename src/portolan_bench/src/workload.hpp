@@ -20,8 +20,8 @@ struct Workload {
   std::vector<PosedScan> scans;
 };
 
-/// Rooms of 6 m with doors, and a hall of 30 m with pillars; `beams` over `aperture` [rad], ranges
-/// with 1 cm of noise, +Inf beyond `max_range`.
+/// Rooms of 6 m with doors, and a hall of 30 m x 20 m with pillars; `beams` over `aperture` [rad],
+/// ranges with 1 cm of noise, +Inf beyond `max_range`.
 Workload rooms(int beams, double aperture, double max_range);
 Workload hall(int beams, double aperture, double max_range);
 
