@@ -18,7 +18,9 @@ std::uint64_t mixed(std::uint64_t x) {
 /// FNV-1a.
 std::uint64_t hashed(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3ULL;
+  for (const char c : text) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  }
   return hash;
 }
 
