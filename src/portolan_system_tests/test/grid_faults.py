@@ -65,7 +65,7 @@ class GridFaults(case.NodeCase):
         robot.tick(NOW)
         return robot, node
 
-    def assert_maps_on(self, robot, node, stamp=NOW + 200.0):
+    def assert_maps_on(self, robot, node, stamp=NOW + 20.0):
         """All that was sent is accounted for, and a good look around shows the room."""
         before = {topic: node.wait_for(noun, received=robot.sent.get(topic, 0), waiting=0)
                   for topic, noun in NOUNS.items()}
@@ -74,8 +74,7 @@ class GridFaults(case.NodeCase):
         robot.look_around(ROOM, [stamp + 0.01 * i for i in range(12)])
         for topic, noun in NOUNS.items():
             good = robot.sent.get(topic, 0) - sent.get(topic, 0)
-            tally = node.wait_for(noun, received=robot.sent.get(topic, 0), used=before[topic].used + good, waiting=0)
-            self.assertEqual(tally.received, tally.used + sum(tally.dropped.values()), noun)
+            node.wait_for(noun, received=robot.sent.get(topic, 0), used=before[topic].used + good, waiting=0)
         grid = node.map()
         self.assertGreater(grid.at(2.05, 0.05), 65, "the wall")
         self.assertTrue(0 <= grid.at(0.5, 0.05) < 35, "the floor")
@@ -185,7 +184,7 @@ class GridFaults(case.NodeCase):
         node.wait_for("scans", received=5)
         robot.tick(NOW + 2.0)
         node.wait_for("scans", no_transform=5)
-        self.assertIn("0 of 5 scans used: no transform odom <- laser: tf tells of no odom", node.sentence())
+        self.assertIn("0 of 5 scans used: no transform odom <- laser", node.sentence())
         self.assertNotEqual(node.level(), 0)
         self.assertEqual(node.map().known(), set(), "nothing is posed by guess")
         self.assert_maps_on(robot, node)
@@ -215,6 +214,8 @@ class GridFaults(case.NodeCase):
         robot.tick(NOW + 1.5)
         node.wait_for("scans", no_transform=1)
         node.wait_for("echoes", no_transform=1)
+        self.assert_in_words(["0 of 1 scans used: no transform odom <- egg"], node.tally("scans").sentence)
+        self.assertNotIn("\n", node.sentence(), "one line that a person understands")
         self.assert_maps_on(robot, node)
 
     def test_poses_beyond_the_world(self):

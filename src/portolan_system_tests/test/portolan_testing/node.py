@@ -35,8 +35,7 @@ class Tally:
         self.dropped = {key[len(begin):]: int(count) for key, count in values.items() if key.startswith(begin)}
         parts = re.split(r"; (?=\d+ of |no \w+ received)", sentence)
         self.sentence = next((part for part in parts if f" {noun} " in part), "")
-        waiting = re.search(r"(\d+) waiting for tf(?! when)", self.sentence)
-        self.waiting = int(waiting.group(1)) if waiting else 0
+        self.waiting = self.received - self.used - sum(self.dropped.values())
 
     def __repr__(self):
         return f"{self.used} of {self.received} used, {self.waiting} wait, dropped {self.dropped}"
