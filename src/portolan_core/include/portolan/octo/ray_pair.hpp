@@ -10,6 +10,7 @@
 #include <emmintrin.h>
 #endif
 
+#include "portolan/octo/ray_four.hpp"
 #include "portolan/octo/ray_walk.hpp"
 
 namespace portolan {
@@ -131,7 +132,7 @@ class RayPair {
 /// Calls mark(cell) for every voxel that the rays cross before their last ones, counted from the
 /// voxel whose cell is `corner`.
 template <class Mark>
-void walk(const std::vector<RayWalk>& rays, RayWalk::Cell corner, Mark mark) {
+void walk_by_two(const std::vector<RayWalk>& rays, RayWalk::Cell corner, Mark mark) {
   RayPair pair;
   std::size_t next = 0;
   const auto go_on = [&](auto lane) {
@@ -157,6 +158,15 @@ void walk(const std::vector<RayWalk>& rays, RayWalk::Cell corner, Mark mark) {
     pair.step();
     second = go_on(RayPair::kSecond);
   }
+}
+
+/// The same, as fast as the processor can; a cell may be marked more than once.
+template <class Mark>
+void walk(const std::vector<RayWalk>& rays, RayWalk::Cell corner, Mark mark) {
+#if defined(PORTOLAN_HAS_RAY_FOUR)
+  if (rays.size() >= 4 && __builtin_cpu_supports("avx2")) return walk_by_four(rays, corner, mark);
+#endif
+  walk_by_two(rays, corner, mark);
 }
 
 }  // namespace portolan

@@ -3,7 +3,6 @@
 
 #include <octomap/OcTree.h>
 
-#include <cmath>
 #include <optional>
 
 namespace portolan {
@@ -26,9 +25,9 @@ class VoxelLattice {
   std::optional<octomap::OcTreeKey> key(const octomap::point3d& p_map) const {
     octomap::OcTreeKey key;
     for (unsigned i = 0; i < 3; ++i) {
-      const double cell = std::floor(voxels_per_metre_ * static_cast<double>(p_map(i)));
-      if (!(cell >= -kMiddle && cell < kMiddle)) return std::nullopt;
-      key[i] = static_cast<octomap::key_type>(static_cast<int>(cell) + kMiddle);
+      const double place = voxels_per_metre_ * static_cast<double>(p_map(i));
+      if (!(place >= -kMiddle && place < kMiddle)) return std::nullopt;
+      key[i] = static_cast<octomap::key_type>(floor(place) + kMiddle);
     }
     return key;
   }
@@ -43,6 +42,11 @@ class VoxelLattice {
   }
 
  private:
+  static int floor(double x) {
+    const int towards_zero = static_cast<int>(x);
+    return towards_zero - (towards_zero > x ? 1 : 0);
+  }
+
   double resolution_;
   double voxels_per_metre_;
 };
