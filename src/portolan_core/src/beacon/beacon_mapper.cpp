@@ -12,9 +12,7 @@ namespace portolan {
 namespace {
 
 double information_of(double stddev) {
-  constexpr double kAsGoodAsKnown = 1e-9;
-  const double deviation = std::max(stddev, kAsGoodAsKnown);
-  return 1.0 / (deviation * deviation);
+  return std::min(1.0 / (stddev * stddev), CalibrationPrior::kKnown);
 }
 
 CalibrationPrior prior_of(const RangeCalibrationOptions& options) {

@@ -113,8 +113,10 @@ void BeaconTrack::weigh(const PosedRange& z, const CalibrationPrior& prior,
   const double last = surprise_;
   surprise_ = 0.0;
   lag_ = 0.0;
+  RangeCalibration calibration = prior.given(others);
+  const bool open = prior.is_open();
   for (Hypothesis& h : hypotheses_) {
-    const RangeCalibration calibration = prior.given(others + h.calibration);
+    if (open) calibration = prior.given(others + h.calibration);
     const RangeFit fit = update_hypothesis(z, calibration, options.outliers, origin_, h);
     h.log_weight += fit.log_likelihood;
     if (fits_.size() == best_ && !is_ambiguous_) surprise_ = std::clamp(fit.surprise, -2.0, 2.0);

@@ -9,7 +9,7 @@ namespace portolan {
 
 namespace {
 
-constexpr double kLogRootTwoPi = 0.91893853320467274178;
+constexpr double kPeak = 0.39894228040143267794;  // of the standard normal density
 constexpr double kHardlyRight = 1e-3;  // a range less likely right than this moves nothing
 
 double wrong_density(double innovation, const RangeOutlierOptions& outliers) {
@@ -22,11 +22,11 @@ double wrong_density(double innovation, const RangeOutlierOptions& outliers) {
 }
 
 RangeFit fit_of(double innovation, double variance, const RangeOutlierOptions& outliers) {
-  const double exponent = 0.5 * innovation * innovation / variance;
+  const double surprise = innovation / std::sqrt(variance);
   const double right =
-      (1.0 - outliers.share) * std::exp(-exponent - kLogRootTwoPi) / std::sqrt(variance);
+      (1.0 - outliers.share) * kPeak * std::exp(-0.5 * surprise * surprise) / std::sqrt(variance);
   const double wrong = outliers.share * wrong_density(innovation, outliers);
-  return {std::log(right + wrong), innovation / std::sqrt(variance), right / (right + wrong)};
+  return {std::log(right + wrong), surprise, right / (right + wrong)};
 }
 
 }  // namespace
@@ -50,12 +50,14 @@ RangeFit update_hypothesis(const PosedRange& z, const RangeCalibration& c,
 
   const double S = expected + noise / fit.p_right;  // given the calibration
   const Eigen::Vector3d K = c.scale * distance.cross / S;
-  const double at_prior = innovation + L * c.deviation;  // the innovation if c were 0
+  const double at_prior = innovation + L * c.deviation;               // the innovation if c were 0
+  const Eigen::Vector3d V = c.scale / std::sqrt(S) * distance.cross;  // S K K^T, symmetric to a bit
+  const Eigen::Vector2d W = L.transpose() / S;
   hypothesis.x += K * at_prior;
   hypothesis.G -= K * L;
-  hypothesis.Q -= S * K * K.transpose();
-  hypothesis.calibration.information += L.transpose() * L / S;
-  hypothesis.calibration.vector += L.transpose() * (at_prior / S);
+  hypothesis.Q -= V * V.transpose();
+  hypothesis.calibration.information += W * L;
+  hypothesis.calibration.vector += W * at_prior;
   return fit;
 }
 

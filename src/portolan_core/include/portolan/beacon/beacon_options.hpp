@@ -89,7 +89,7 @@ struct BeaconOptions {
   double elevation_max = 1.5707963267948966;
   std::size_t max_beacons = 256;
   std::size_t max_modes = 2000;
-  double prune_below = 1e-5;
+  double prune_below = 1e-4;
   double merge_distance = 1.5;
   double ambiguous_share = 0.1;
   RangeOutlierOptions outliers;
