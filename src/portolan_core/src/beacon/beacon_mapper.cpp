@@ -67,7 +67,7 @@ void BeaconMapper::learn_drift(double lag) {
   constexpr double kGain = 0.05;
   constexpr double kTolerated = 0.15;  // geometry and reflections correlate innovations as well
   constexpr double kLeast = 0.0025;    // of the drift that the options state
-  constexpr double kMost = 50.0;
+  constexpr double kMost = 8.0;
   if (lag == 0.0) return;
   drift_ = std::clamp(drift_ * std::exp(kGain * (lag - kTolerated)), kLeast * options_.drift,
                       kMost * options_.drift);
