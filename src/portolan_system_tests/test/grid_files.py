@@ -8,9 +8,10 @@ import threading
 
 import rospy
 
-from portolan_testing import case
+from portolan_testing import case, messages
 from portolan_testing.grid import files_of, read_pgm
 from portolan_testing.room import LASER, Room, upright
+from portolan_testing.waiting import eventually
 
 STAMPS = [1000.0 + 0.1 * i for i in range(4)]
 NAMES = {f"map{layer}.{suffix}" for layer in ("", "_laser", "_sonar") for suffix in ("pgm", "yaml")}
@@ -104,6 +105,20 @@ class GridFiles(case.NodeCase):
             for column, row, percent in known:
                 if percent >= 66 or percent <= 19:
                     self.assertEqual(loaded[column, row] > 50, percent > 50)
+
+    def test_layers_of_an_older_map_do_not_come_back(self):
+        robot, node = self.mapped()
+        self.saved(node)
+        self.assertTrue(node.call("reset").success)
+        robot.stand(1010.0, (0.0, 0.0, 0.0))
+        robot.send("scan", messages.scan(1010.0, "laser", Room().scan((0.0, 0.0, 0.0))))
+        node.wait_for("scans", used=robot.sent["scan"])
+        laser_alone = self.saved(node)
+        self.assertTrue(node.call("load").success)
+        laser, sonar = self.listener("map/laser"), self.listener("map/sonar")
+        eventually(laser.known, "the laser's layer is there")
+        self.assertEqual(sonar.known(), set())
+        self.assertEqual(self.saved(node), laser_alone)
 
     def test_a_loaded_map_is_mapped_on(self):
         robot, node = self.mapped()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan/grid/map_files.hpp"
 
+#include <yaml-cpp/yaml.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,6 +22,30 @@ constexpr std::size_t kMaxBytes = 1U << 30;
 
 std::string name_of(const std::string& name, GridLayer layer) {
   return name + "_" + enum_names(layer)[static_cast<std::size_t>(layer)];
+}
+
+// The line of the fused map's YAML that names its layers: beside it may lie those of an older map.
+std::string layers_line(const std::vector<GridLayer>& layers) {
+  std::string line;
+  for (GridLayer layer : layers) {
+    line += (line.empty() ? "layers: [" : ", ") +
+            std::string(enum_names(layer)[static_cast<std::size_t>(layer)]);
+  }
+  return line + "]\n";
+}
+
+// The layers that a well-formed YAML names; none where it is not ours.
+std::vector<GridLayer> layers_in(const std::string& yaml) {
+  const YAML::Node named = YAML::Load(yaml)["layers"];
+  const auto is_named = [&named](const std::string& name) {
+    return std::any_of(named.begin(), named.end(),
+                       [&](const YAML::Node& node) { return node.Scalar() == name; });
+  };
+  std::vector<GridLayer> layers;
+  for (GridLayer layer : kGridLayers) {
+    if (is_named(enum_names(layer)[static_cast<std::size_t>(layer)])) layers.push_back(layer);
+  }
+  return layers;
 }
 
 std::uint8_t pixel_of(double p, const MapPicture& picture) {
@@ -195,6 +221,7 @@ FileSet map_files(const GridMapper& map, PixelMode mode, const std::string& name
   FileSet files;
   if (map.bounds().empty()) throw std::runtime_error("nothing has been observed yet");
   add(files, name, map, mode, map.bounds(), map.cells(map.bounds()));
+  files[name + ".yaml"] += layers_line(map.layers());
   for (GridLayer layer : map.layers()) {
     const CellRect rect = map.bounds(layer);
     add(files, name_of(name, layer), map, mode, rect, map.cells(layer, rect));
@@ -207,9 +234,8 @@ GridMapper read_map_files(const FileSet& files, const std::string& name,
   checked(options);
   const MapPicture fused = picture_in(files, name, options);
   Layers layers;
-  for (GridLayer layer : kGridLayers) {
-    const std::string file = name_of(name, layer);
-    if (files.count(file + ".yaml") != 0) layers[layer] = picture_in(files, file, options);
+  for (GridLayer layer : layers_in(file_in(files, name + ".yaml"))) {
+    layers[layer] = picture_in(files, name_of(name, layer), options);
   }
   if (layers.empty()) return GridMapper(options, {laser_layer(fused, options)});
   Solver solver(options, fused);
@@ -220,13 +246,14 @@ GridMapper read_map_files(const FileSet& files, const std::string& name,
 
 GridMapper load_map(const std::filesystem::path& folder, const std::string& name,
                     const GridMapper::Options& options) {
-  std::vector<std::string> names = {name + ".yaml"};
-  for (GridLayer layer : kGridLayers) {
-    const std::string yaml = name_of(name, layer) + ".yaml";
-    if (std::filesystem::exists(folder / yaml)) names.push_back(yaml);
+  const std::string head = name + ".yaml";
+  const std::string fused = load_files(folder, {head}, kMaxBytes).at(head);
+  std::vector<std::string> names = {head, image_of(fused, head)};
+  for (GridLayer layer : layers_in(fused)) {
+    const std::string file = name_of(name, layer) + ".yaml";
+    names.push_back(file);
+    names.push_back(image_of(load_files(folder, {file}, kMaxBytes).at(file), file));
   }
-  const FileSet yamls = load_files(folder, names, kMaxBytes);
-  for (const auto& [file, yaml] : yamls) names.push_back(image_of(yaml, file));
   return read_map_files(load_files(folder, names, kMaxBytes), name, options);
 }
 

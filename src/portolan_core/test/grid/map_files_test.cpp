@@ -46,6 +46,16 @@ FileSet drawn() {
           {"map.pgm", std::string("P5\n# drawn by hand\n3 2\n255\n\x00\xFE\xCD\xFE\xFE\x00", 33)}};
 }
 
+TEST(MapFilesOfOthers, LayersThatTheyDoNotNameAreNotTheirs) {
+  FileSet files = drawn();
+  files["map_sonar.yaml"] = files["map.yaml"];
+  EXPECT_EQ(read_map_files(files, "map", GridOptions{}).layers(),
+            std::vector<GridLayer>{GridLayer::laser});
+  files["map.yaml"] += "layers: [sonar]\n";
+  EXPECT_EQ(read_map_files(files, "map", GridOptions{}).layers(),
+            std::vector<GridLayer>{GridLayer::sonar});
+}
+
 TEST(MapFilesOfOthers, BecomeTheLaserLayer) {
   const GridMapper map = read_map_files(drawn(), "map", GridOptions{});
   EXPECT_EQ(map.layers(), std::vector<GridLayer>{GridLayer::laser});

@@ -54,6 +54,8 @@ class GridListener:
     def _take_whole(self, message):
         with self._lock:
             self.wholes.append(message)
+            if self._stamp is not None and message.header.stamp < self._stamp:
+                self.updates.clear()  # the clock ran back: they are of another time
             self._grid, self._stamp = Grid(message), message.header.stamp
             for update in self.updates:  # two topics: one may overtake the other
                 if update.header.stamp > self._stamp:

@@ -19,8 +19,8 @@ enum class PixelMode {
 constexpr std::array<const char*, 2> enum_names(PixelMode) { return {"trinary", "scale"}; }
 
 /// The map as map_server's pairs of YAML and PGM: the fused one as NAME.yaml and NAME.pgm, and each
-/// layer as NAME_LAYER.yaml and NAME_LAYER.pgm. Pixel 205 is unknown in both modes. Throws
-/// std::runtime_error where nothing has been observed.
+/// layer as NAME_LAYER.yaml and NAME_LAYER.pgm; NAME.yaml names its layers. Pixel 205 is unknown in
+/// both modes. Throws std::runtime_error where nothing has been observed.
 FileSet map_files(const GridMapper& map, PixelMode mode, const std::string& name = "map");
 
 /// The map in such files, and again the same files when it is saved in the same mode with the same
@@ -31,8 +31,8 @@ FileSet map_files(const GridMapper& map, PixelMode mode, const std::string& name
 GridMapper read_map_files(const FileSet& files, const std::string& name,
                           const GridMapper::Options& options);
 
-/// The same from a folder: NAME.yaml, the layers that lie beside it, and their pictures. Throws
-/// also as `load_files` does.
+/// The same from a folder: NAME.yaml, the layers that it names, and their pictures; what an older
+/// map left beside them is not read. Throws also as `load_files` does.
 GridMapper load_map(const std::filesystem::path& folder, const std::string& name,
                     const GridMapper::Options& options);
 
