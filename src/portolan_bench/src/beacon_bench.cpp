@@ -59,7 +59,7 @@ void map_beacons(benchmark::State& state, const BeaconWorkload& load) {
   const auto peer = mrpt_beacons(load);
   report_error(state, "peer", load, peer());
 #else
-  const auto peer = [] {};
+  const auto peer = [] { return 0; };
 #endif
   Pairs pairs;
   for (auto _ : state) {
