@@ -92,6 +92,7 @@ struct Drive {
 inline Correction random_correction(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Correction::Knot> knots;
+  knots.reserve(5);
   for (int i = 0; i < 5; ++i) knots.push_back({at_second(9.5 * i), random_pose(random)});
   return Correction(knots);
 }

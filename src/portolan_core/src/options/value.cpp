@@ -33,9 +33,9 @@ std::string lower(std::string text) {
 }
 
 bool is_word_of_yaml(const std::string& word) {
-  static const std::set<std::string> words = {"true", "false", "yes", "no",  "on",
-                                              "off",  "y",     "n",   "null"};
-  return words.count(lower(word)) == 1;
+  static const std::set<std::string> kWords = {"true", "false", "yes", "no",  "on",
+                                               "off",  "y",     "n",   "null"};
+  return kWords.count(lower(word)) == 1;
 }
 
 std::string quoted(char c) {
