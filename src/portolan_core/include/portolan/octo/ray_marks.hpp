@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "portolan/octo/ray_pair.hpp"
 #include "portolan/octo/voxel_block.hpp"
+#include "portolan/octo/walk_rays.hpp"
 
 namespace portolan {
 
