@@ -57,7 +57,9 @@ TEST(GridMapper, DrawsThinRaysOnRequest) {
 }
 
 TEST(GridMapper, DrawsTheConeOfASonar) {
-  GridMapper map(coarse());
+  GridOptions options = coarse();
+  options.sonar.max_range = 5.0;
+  GridMapper map(options);
   map.insert(RangeEcho{4.0, 0.1, 5.0, M_PI / 2}, planar_pose(0.0, 0.0, M_PI / 4));
   EXPECT_EQ(picture(map, {{-1, -1}, {6, 6}}),
             (Picture{"       ", "       ", " ###   ", " ..##  ", " ...#  ", " ...#  ", "       "}));

@@ -31,7 +31,9 @@ struct InverseSensorModel {
 /// The laser's inverse sensor model.
 struct LaserModel : InverseSensorModel {
   BeamModel beam_model = BeamModel::sector;
-  double margin = 0.0;
+  double margin = 0.02;
+
+  LaserModel() { p_free = 0.3; }
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -49,9 +51,10 @@ struct SonarModel : InverseSensorModel {
   double margin = 0.05;
 
   SonarModel() {
-    p_occupied = 0.65;
-    p_free = 0.35;
-    max_range = 4.0;
+    // Cones are wide and often deceived: many must agree, and far ones say little.
+    p_occupied = 0.6;
+    p_free = 0.45;
+    max_range = 2.2;
   }
 
   template <class Self, class Visitor>
