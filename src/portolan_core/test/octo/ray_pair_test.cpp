@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "portolan/octo/ray_pair.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "octo/octo_fixture.hpp"
+#include "portolan/octo/walk_rays.hpp"
 
 namespace portolan::octo_test {
 namespace {
