@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/params.hpp"
 
+#include <stdexcept>
 #include <string>
 
 #include "portolan/options/value.hpp"
@@ -50,6 +51,15 @@ YAML::Node parameters(const ros::NodeHandle& handle) {
   const bool found = handle.getParam(handle.getNamespace(), value);
   return found && value.getType() == XmlRpcValue::TypeStruct ? map(value)
                                                              : YAML::Node(YAML::NodeType::Map);
+}
+
+std::string string_parameter(const ros::NodeHandle& handle, const std::string& name,
+                             const std::string& otherwise) {
+  std::string value = otherwise;
+  if (handle.hasParam(name) && !handle.getParam(name, value)) {
+    throw std::invalid_argument(name + " must be a string");
+  }
+  return value;
 }
 
 }  // namespace portolan

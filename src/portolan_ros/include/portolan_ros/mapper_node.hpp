@@ -53,12 +53,7 @@ class MapperNode {
 
   void correct(const portolan_msgs::DriftCorrection& message);
   std::string map_name() const {
-    std::string name = options_.node.map_name;
-    const bool is_set = private_handle_.hasParam("map_name");
-    if (is_set && !private_handle_.getParam("map_name", name)) {
-      throw std::invalid_argument("map_name must be a string");
-    }
-    return name;
+    return string_parameter(private_handle_, "map_name", options_.node.map_name);
   }
   void redraw();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -5,6 +5,8 @@
 #include <ros/node_handle.h>
 #include <yaml-cpp/yaml.h>
 
+#include <string>
+
 #include "portolan/options.hpp"
 
 namespace portolan {
@@ -14,6 +16,11 @@ YAML::Node to_yaml(const XmlRpc::XmlRpcValue& value);
 
 /// All parameters below this handle's namespace, as YAML; empty where there are none.
 YAML::Node parameters(const ros::NodeHandle& handle);
+
+/// The parameter as it is now, or `otherwise` where it is not set. Throws std::invalid_argument
+/// where it is no string.
+std::string string_parameter(const ros::NodeHandle& handle, const std::string& name,
+                             const std::string& otherwise);
 
 /// Fills the options from a node's private parameters. Throws OptionsError with every fault at
 /// once; a parameter that none of the options knows is a fault.
