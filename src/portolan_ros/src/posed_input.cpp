@@ -98,7 +98,17 @@ void PosedInput::receive_tf(const tf2_msgs::TFMessage& message, bool is_static, 
     const bool good = is_well_formed(transform) && (is_static || is_timely(transform, now)) &&
                       tf_.setTransform(normalized(transform), kAuthority, is_static);
     if (!good) ++bad_transforms_;
+    if (good && !is_static) take_back_doubt(transform);
   }
+}
+
+void PosedInput::take_back_doubt(const geometry_msgs::TransformStamped& confirming) {
+  const auto held = doubtful_.find(ros_convert::without_slash(confirming.child_frame_id));
+  if (held == doubtful_.end()) return;
+  const double apart = (confirming.header.stamp - held->second.header.stamp).toSec();
+  const bool confirmed = std::abs(apart) <= options_.tf_buffer;
+  if (confirmed && tf_.setTransform(normalized(held->second), kAuthority)) --bad_transforms_;
+  doubtful_.erase(held);
 }
 
 void PosedInput::receive_odometry(const nav_msgs::Odometry& message, const std::string& base_frame,
@@ -175,6 +185,7 @@ bool PosedInput::is_timely(const geometry_msgs::TransformStamped& transform, Tim
   const std::string child = ros_convert::without_slash(transform.child_frame_id);
   const auto guard = leap_guards_.try_emplace(child, seconds(options_.tf_buffer)).first;
   const StampVerdict verdict = guard->second.judge(stamp);
+  if (verdict == StampVerdict::doubtful) doubtful_[child] = transform;
   if (verdict == StampVerdict::ran_back) {
     tf_ran_back_ = true;
     clear();  // tf2 would refuse the new transforms for being older than its memory

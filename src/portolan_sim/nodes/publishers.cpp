@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "publishers.hpp"
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
@@ -34,6 +35,11 @@ using MessageOf =
     decltype(message(std_msgs::Header{},
                      std::declval<Sensor&>().sense(std::declval<World>(), std::declval<Pose>())));
 
+std::int8_t percent(TruthGrid::Cell cell) {
+  if (cell == TruthGrid::Cell::unknown) return -1;
+  return cell == TruthGrid::Cell::occupied ? 100 : 0;
+}
+
 }  // namespace
 
 Publishers::Publishers(ros::NodeHandle handle, const RobotSimOptions& options,
@@ -45,6 +51,7 @@ Publishers::Publishers(ros::NodeHandle handle, const RobotSimOptions& options,
   advertise<nav_msgs::Odometry>("odom");
   advertise<nav_msgs::Odometry>("ground_truth");
   advertise<std_msgs::Bool>("path_finished", true);
+  advertise<nav_msgs::OccupancyGrid>("ground_truth_map", true);
   const auto advertise_sensor = [this](const auto& sensor) {
     using Sensor = std::decay_t<decltype(sensor)>;
     const std::string& topic = sensor.options().topic;
@@ -114,6 +121,21 @@ void Publishers::publish_clock(Time now) {
   rosgraph_msgs::Clock clock;
   clock.clock = ros_convert::time(now);
   by_topic_.at("/clock").publish(clock);
+}
+
+void Publishers::publish_truth(Time now, const TruthGrid& grid) {
+  nav_msgs::OccupancyGrid message;
+  message.header.stamp = ros_convert::time(now);
+  message.header.frame_id = options_.map_frame;
+  message.info.map_load_time = message.header.stamp;
+  message.info.resolution = static_cast<float>(grid.resolution);
+  message.info.width = static_cast<std::uint32_t>(grid.width);
+  message.info.height = static_cast<std::uint32_t>(grid.height);
+  message.info.origin.position.x = grid.origin.x();
+  message.info.origin.position.y = grid.origin.y();
+  message.info.origin.orientation.w = 1.0;
+  for (const TruthGrid::Cell cell : grid.cells) message.data.push_back(percent(cell));
+  by_topic_.at("ground_truth_map").publish(message);
 }
 
 void Publishers::publish_path_finished(bool finished) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "portolan/sim/any_sensor.hpp"
+#include "portolan/sim/truth_grid.hpp"
 #include "robot_sim_options.hpp"
 
 namespace portolan::sim {
@@ -26,6 +27,9 @@ class Publishers {
   void publish_path_finished(bool finished);
   /// The mounts of all sensors, latched.
   void publish_mounts(Time now, const std::vector<AnySensor>& sensors);
+
+  /// The true map, latched: what a perfect mapper would draw.
+  void publish_truth(Time now, const TruthGrid& grid);
 
   /// The first of these topics that nobody listens to yet; empty where all have listeners. Throws
   /// OptionsError for a topic that is none of ours.

@@ -57,6 +57,7 @@ void RobotSimNode::begin() {
   if (!publishers_) publishers_.emplace(handle_, options_, simulation_->sensors());
   publishers_->unheard(options_.wait_for_subscribers);
   publishers_->publish_mounts(simulation_->now(), simulation_->sensors());
+  publishers_->publish_truth(simulation_->now(), truth_->grid());
   publishers_->publish_path_finished(false);
   publishers_->publish_clock(simulation_->now());
   if (truth_->wanted()) truth_->write(*simulation_);

@@ -20,11 +20,9 @@ std::string file_name(std::string topic) {
 }  // namespace
 
 TruthRecorder::TruthRecorder(const RobotSimOptions& options, const Simulation& simulation)
-    : options_(options) {
-  if (!wanted()) return;
-  grid_ = truth_grid(simulation.world(), options.truth_resolution, options.truth_height,
-                     simulation.T_map_start().translation().head<2>());
-}
+    : options_(options),
+      grid_(truth_grid(simulation.world(), options.truth_resolution, options.truth_height,
+                       simulation.T_map_start().translation().head<2>())) {}
 
 void TruthRecorder::record(const Simulation& simulation, const Event& event) {
   if (!wanted()) return;

@@ -17,7 +17,7 @@ namespace portolan::sim {
 /// `view_<topic>.yaml` and `.pgm`, what such a sensor could have seen.
 class TruthRecorder {
  public:
-  /// Records nothing where the options name no folder.
+  /// Knows the true grid; records what passes only where the options name a folder.
   TruthRecorder(const RobotSimOptions& options, const Simulation& simulation);
 
   void record(const Simulation& simulation, const Event& event);
@@ -25,6 +25,7 @@ class TruthRecorder {
   /// Throws std::runtime_error where there is no folder, or it cannot be written to.
   void write(const Simulation& simulation) const;
 
+  const TruthGrid& grid() const { return grid_; }
   bool wanted() const { return !options_.truth_directory.empty(); }
 
  private:

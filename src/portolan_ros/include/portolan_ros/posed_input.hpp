@@ -80,8 +80,8 @@ class PosedInput {
 
   /// Takes transforms. Malformed and repeated ones, moving ones without a stamp, and stamps over
   /// an hour ahead are counted and left out; so is a lone stamp that leaps away from those before
-  /// it by more than is remembered. Where a second one leaps to the same time, back, as when a bag
-  /// loops without a clock, it starts to remember anew.
+  /// it by more than is remembered. Where a second one leaps to the same time, both count; if that
+  /// lies back, as when a bag loops without a clock, it starts to remember anew.
   void receive_tf(const tf2_msgs::TFMessage& message, bool is_static, Time now);
 
   /// Takes odometry as a transform, for robots that send no tf. Empty frames are filled in.
@@ -108,6 +108,7 @@ class PosedInput {
   };
 
   bool is_timely(const geometry_msgs::TransformStamped& transform, Time now);
+  void take_back_doubt(const geometry_msgs::TransformStamped& confirming);
   bool is_repeated(std::size_t input, const Message& message);
   bool try_to_use(Waiting& waiting);
   std::optional<Pose> look_up(const std::string& frame, Time stamp) const;
@@ -116,7 +117,8 @@ class PosedInput {
 
   PosedInputOptions options_;
   tf2::BufferCore tf_;
-  std::map<std::string, LeapGuard> leap_guards_;  // by child frame
+  std::map<std::string, LeapGuard> leap_guards_;                     // by child frame
+  std::map<std::string, geometry_msgs::TransformStamped> doubtful_;  // likewise: the last leap
   bool tf_ran_back_ = false;
   std::vector<Tally> tallies_;
   std::map<std::pair<std::size_t, std::string>, std::set<Time>> seen_;  // by input and frame

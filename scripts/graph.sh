@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Sourced after common.sh: one launch file at a time, under a ROS master of its own, which ends with the script.
+
+build_workspace() {
+  "$root/scripts/setup"
+  mkdir -p "$build/stages"
+  echo 'building (the first time takes some minutes)'
+  "$root/scripts/build" > "$build/stages/build.log" 2>&1 || {
+    tail -n 40 "$build/stages/build.log"
+    exit 1
+  }
+  set +u
+  source "$root/devel/setup.bash"
+  set -u
+}
+
+# start_graph LOG ARGUMENT...: roslaunch with these arguments, in the background.
+start_graph() {
+  local log=$1 port
+  shift
+  port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
+  export ROS_MASTER_URI="http://localhost:$port" ROS_HOSTNAME=localhost ROS_HOME="$build/ros_home"
+  roslaunch -p "$port" "$@" > "$log" 2>&1 &
+  graph=$!
+  trap stop_graph EXIT
+}
+
+stop_graph() {
+  kill -INT "$graph" 2> /dev/null || true
+  wait "$graph" 2> /dev/null || true
+  trap - EXIT
+}
+
+# call SERVICE: a std_srvs/Trigger that has to succeed.
+call() {
+  local answer
+  answer=$(rosservice call --wait "$1")
+  grep -q 'success: True' <<< "$answer" || {
+    echo "$1: $answer" >&2
+    exit 1
+  }
+}
