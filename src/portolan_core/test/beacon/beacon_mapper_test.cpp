@@ -61,9 +61,9 @@ class BeaconMapperBothWays : public ::testing::TestWithParam<BeaconParametrizati
 INSTANTIATE_TEST_SUITE_P(Parametrizations, BeaconMapperBothWays,
                          ::testing::Values(BeaconParametrization::cartesian_mixture,
                                            BeaconParametrization::polar),
-                         [](const auto& info) {
+                         [](const auto& tested) {
                            return std::string(
-                               enum_names(info.param)[static_cast<std::size_t>(info.param)]);
+                               enum_names(tested.param)[static_cast<std::size_t>(tested.param)]);
                          });
 
 TEST_P(BeaconMapperBothWays, AStraightPathLeavesTwoMirrorImages) {

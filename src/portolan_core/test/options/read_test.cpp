@@ -86,16 +86,12 @@ TEST(Read, SaysWhichNamesAreUnknownAtEveryDepth) {
 }
 
 TEST(Read, SaysWhatItExpectedInstead) {
-  const Faults expected = {"resolution = 5 cm must be a number",
-                           "weight = ~ must be a number",
-                           "publish = 1 must be true or false",
-                           "quantum = 256 must be a smaller whole number",
-                           "limit = 1.5 must be a whole number",
-                           "fusion = [max] must be one of max | sum | latest",
-                           "frame = {a: b} must be text",
-                           "laser = 3 must be a map of options",
-                           "origin[1] = x must be a number",
-                           "flags = true must be a list"};
+  const Faults expected = {
+      "resolution = 5 cm must be a number", "weight = ~ must be a number",
+      "publish = 1 must be true or false",  "quantum = 256 must be a smaller whole number",
+      "limit = 1.5 must be a whole number", "fusion = [max] must be one of max | sum | latest",
+      "frame = {a: b} must be text",        "laser = 3 must be a map of options",
+      "origin[1] = x must be a number",     "flags = true must be a list"};
   EXPECT_EQ(faults_of("{resolution: \"5 cm\", weight: , publish: 1, quantum: 256, limit: 1.5,"
                       " fusion: [max], frame: {a: b}, laser: 3, origin: [1, x, 3], flags: true}"),
             expected);
