@@ -1,23 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
+#include "beacon/allocations.hpp"
 #include "beacon/scenario.hpp"
 #include "portolan/beacon/beacon_mapper.hpp"
-
-namespace {
-thread_local std::size_t allocations = 0;  // NOLINT: it must outlive the operators below
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
 namespace portolan {
 namespace {
@@ -33,9 +19,9 @@ std::size_t allocations_while(BeaconMapper& mapper, int from, int to) {
       const Eigen::Vector3d beacon(4.0 * id - 6.0, 5.0 - 2.0 * id, 0.0);
       z.ranges.push_back({id, (beacon - pose.translation()).norm() + dice.normal(0.1), 0.1});
     }
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     mapper.insert(z, pose);
-    counted += allocations - before;
+    counted += allocations() - before;
   }
   return counted;
 }
