@@ -48,10 +48,10 @@ bool Footprint::open(Anchor anchor, FinePoint min, FinePoint max) {
   first_row_ = covered_.min.y - tile_.y * kSide;
   end_row_ = covered_.max.y - tile_.y * kSide;
   const auto words = static_cast<std::size_t>(strips_ * rows_);
-  for (std::vector<Word>* plane : {&toggled_, &free_, &occupied_}) {
+  for (std::vector<Word>* plane : {&toggled_, &struck_, &free_, &occupied_}) {
     if (plane->size() < words) plane->resize(words);
   }
-  for (std::vector<std::uint8_t>* marks : {&is_toggled_, &is_free_, &is_occupied_}) {
+  for (std::vector<std::uint8_t>* marks : {&is_toggled_, &is_struck_, &is_free_, &is_occupied_}) {
     if (marks->size() * kSide < words) marks->resize(words / kSide);
   }
   return true;
@@ -64,7 +64,7 @@ void Footprint::fill(std::vector<Word>& into, const FinePoint* corners, int coun
     const FinePoint& p = corners[i];
     min = {std::min(min.x, p.x), std::min(min.y, p.y)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y)};
-    toggle(p, corners[i + 1 < count ? i + 1 : 0]);
+    outline(p, corners[i + 1 < count ? i + 1 : 0]);
   }
   settle(into, min, max);
 }
@@ -168,8 +168,8 @@ CellRect Footprint::apply(TileMap& map, const CellUpdate& update, std::uint64_t 
   for (int band = 0; band < rows_ / kSide; ++band) {
     band_begin_ = static_cast<std::size_t>(std::max(0, first_row_ - band * kSide));
     band_end_ = static_cast<std::size_t>(std::min(kSide, end_row_ - band * kSide));
-    for (std::size_t i = band_begin_; i < band_end_; ++i) carry_[i] = 0;
-    carries_ = false;
+    for (std::size_t i = band_begin_; i < band_end_; ++i) carry_[i] = struck_carry_[i] = 0;
+    carries_ = struck_carries_ = false;
     for (int strip = 0; strip < strips_; ++strip) {
       if (!take_bits(strip, band)) continue;
       TileMap::Tile& tile = map.at({tile_.x + strip, tile_.y + band});
@@ -184,33 +184,40 @@ CellRect Footprint::apply(TileMap& map, const CellUpdate& update, std::uint64_t 
 // Moves the bits of a tile to freed_ and hit_ and clears them here; false where there are none.
 bool Footprint::take_bits(int strip, int band) {
   const std::size_t tile = tile_at(strip * kSide, band * kSide);
-  if (!carries_ && !is_toggled_[tile] && !is_free_[tile] && !is_occupied_[tile]) return false;
+  const bool has_free = carries_ || is_toggled_[tile] || is_free_[tile];
+  if (!has_free && !struck_carries_ && !is_struck_[tile] && !is_occupied_[tile]) return false;
   const std::size_t first = static_cast<std::size_t>(strip * rows_ + band * kSide);
   for (std::size_t i = band_begin_; i < band_end_; ++i) {
     freed_[i] = carry_[i];
-    hit_[i] = 0;
+    hit_[i] = struck_carry_[i];
   }
-  if (std::exchange(is_toggled_[tile], std::uint8_t{0}) != 0) take_toggled(&toggled_[first]);
+  if (std::exchange(is_toggled_[tile], std::uint8_t{0}) != 0) {
+    carries_ = take_toggled(&toggled_[first], carry_, freed_);
+  }
+  if (std::exchange(is_struck_[tile], std::uint8_t{0}) != 0) {
+    struck_carries_ = take_toggled(&struck_[first], struck_carry_, hit_);
+  }
   if (std::exchange(is_free_[tile], std::uint8_t{0}) != 0) {
     for (std::size_t i = band_begin_; i < band_end_; ++i)
       freed_[i] |= std::exchange(free_[first + i], 0);
   }
   if (std::exchange(is_occupied_[tile], std::uint8_t{0}) != 0) {
     for (std::size_t i = band_begin_; i < band_end_; ++i)
-      hit_[i] = std::exchange(occupied_[first + i], 0);
+      hit_[i] |= std::exchange(occupied_[first + i], 0);
   }
   return true;
 }
 
-void Footprint::take_toggled(Word* toggled) {
+// Adds what a plane of edges encloses to the parity left of it; true where some of it goes on.
+bool Footprint::take_toggled(Word* toggled, TileBits& carry, TileBits& inside) const {
   Word any = 0;
   for (std::size_t i = band_begin_; i < band_end_; ++i) {
-    freed_[i] ^= toggled[i];
-    carry_[i] = Word{0} - (freed_[i] >> 63);
-    any |= carry_[i];
+    inside[i] ^= toggled[i];
+    carry[i] = Word{0} - (inside[i] >> 63);
+    any |= carry[i];
     toggled[i] = 0;
   }
-  carries_ = any != 0;
+  return any != 0;
 }
 
 }  // namespace portolan

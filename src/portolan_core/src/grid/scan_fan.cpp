@@ -1,164 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan/grid/scan_fan.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-
-#include "portolan/observation/range_reading.hpp"
 
 namespace portolan {
 
-namespace {
-
-// What is left open of a turn at least, so that rounding cannot make its ends overlap [rad].
-constexpr double kGap = 0.1;
-
-constexpr FinePoint kSensor{0, 0};
-
-bool goes_round_once(const RangeScan& scan) {
-  const double step = std::abs(scan.angle_increment);
-  return scan.ranges.size() > 2 &&
-         std::abs(static_cast<double>(scan.ranges.size()) * step - 2.0 * M_PI) < 1e-3 * step;
-}
-
-std::int64_t cross(FinePoint a, FinePoint b) {
-  return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-}
-
-}  // namespace
-
-ScanFan::Result ScanFan::draw(const RangeScan& scan, const Pose& T_map_sensor,
-                              const GridOptions& options, Footprint& footprint) {
-  if (std::abs(scan.angle_increment) > M_PI / 2.0) return Result::not_simple;
-  look_up_directions(scan);
-  look_up_ranges(scan, options);
-  place_ends(T_map_sensor, options);
-  make_outline(scan);
-  if (!is_simple_) return Result::not_simple;
-  if (!footprint.open(grid_.anchor(T_map_sensor.translation()), bounds_.min, bounds_.max)) {
-    return Result::too_large;
+bool ScanFan::draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options,
+                   Footprint& footprint) {
+  beams_.place(scan, T_map_sensor, options);
+  bounds_ = beams_.bounds();
+  const bool has_sectors = options.laser.beam_model == BeamModel::sector;
+  is_rim_.assign(beams_.size(), 0);
+  is_strip_.assign(beams_.size(), 0);
+  more_strips_.clear();
+  overlapping_.clear();
+  if (has_sectors) make_sectors();
+  if (has_sectors && beams_.has_margin()) join_echoes();
+  const Footprint::Anchor anchor = beams_.grid().anchor(T_map_sensor.translation());
+  if (!footprint.open(anchor, bounds_.min, bounds_.max)) return false;
+  draw_overlapping(footprint);
+  if (has_sectors) {
+    for (const Edge& edge : outline_) footprint.outline(edge.a, edge.b);
+  } else {
+    draw_rays(footprint);
   }
-  for (const Edge& sector : overlapping_) {
-    const std::array<FinePoint, 3> corners = {kSensor, sector.a, sector.b};
-    footprint.fill(corners.data(), 3);
-  }
-  for (const Edge& edge : outline_) footprint.outline(edge.a, edge.b);
-  const std::size_t n = scan.ranges.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (is_rim_[i]) footprint.outline(end(i), end(i + 1 < n ? i + 1 : 0));
-    if (is_echo_[i]) footprint.occupy(end(i));
-  }
-  return Result::drawn;
-}
-
-void ScanFan::look_up_directions(const RangeScan& scan) {
-  if (angle_min_ == scan.angle_min && angle_increment_ == scan.angle_increment &&
-      direction_x_.size() == scan.ranges.size()) {
-    return;
-  }
-  angle_min_ = scan.angle_min;
-  angle_increment_ = scan.angle_increment;
-  half_cosine_ = std::cos(scan.angle_increment / 2.0);
-  half_sine_ = std::sin(scan.angle_increment / 2.0);
-  direction_x_.resize(scan.ranges.size());
-  direction_y_.resize(scan.ranges.size());
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
-    direction_x_[i] = std::cos(angle);
-    direction_y_[i] = std::sin(angle);
-  }
-}
-
-void ScanFan::look_up_ranges(const RangeScan& scan, const GridOptions& options) {
-  const LaserModel& model = options.laser;
-  least_range_ = options.resolution / 32.0;
-  const double no_return =
-      model.no_return == NoReturn::clear ? std::min(model.max_range, scan.range_max) : 0.0;
-  const double nearest = std::max(scan.range_min, std::numeric_limits<double>::min());
-  const double farthest = scan.range_min < scan.range_max ? scan.range_max : 0.0;
-  range_.resize(scan.ranges.size());
-  is_echo_.resize(scan.ranges.size());
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    double range = static_cast<double>(scan.ranges[i]);
-    const bool is_hit = range >= nearest && range < farthest;
-    is_echo_[i] = is_hit && range <= model.max_range;
-    if (!is_hit) {
-      const RangeReading reading = range_reading(range, scan.range_min, scan.range_max);
-      range = reading == RangeReading::nothing_returned ? no_return : 0.0;
-    }
-    range_[i] = std::min(range, model.max_range);
-  }
-}
-
-void ScanFan::place_ends(const Pose& T_map_sensor, const GridOptions& options) {
-  grid_ = FineGrid(options.resolution);
-  R_ = T_map_sensor.linear().topLeftCorner<2, 2>();
-  turn_ = std::copysign(1.0, angle_increment_ * R_.determinant());
-  const double xx = R_(0, 0), xy = R_(0, 1), yx = R_(1, 0), yy = R_(1, 1);
-  const std::size_t n = range_.size();
-  end_x_.resize(n);
-  end_y_.resize(n);
-  FinePoint min, max;
-  for (std::size_t i = 0; i < n; ++i) {
-    const FinePoint p = grid_.point(range_[i] * (xx * direction_x_[i] + xy * direction_y_[i]),
-                                    range_[i] * (yx * direction_x_[i] + yy * direction_y_[i]));
-    end_x_[i] = p.x;
-    end_y_[i] = p.y;
-    min = {std::min(min.x, p.x), std::min(min.y, p.y)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y)};
-  }
-  bounds_ = {min, max};
+  draw_echoes(footprint);
+  return true;
 }
 
 // Inside the outline sectors share their sides, so only rims and the ends of chains remain of them.
-void ScanFan::make_outline(const RangeScan& scan) {
-  const std::size_t n = scan.ranges.size();
-  const bool round = goes_round_once(scan);
-  const double fitting = (2.0 * M_PI - kGap) / std::abs(scan.angle_increment) - 1.0;
-  outlined_ = round ? n : std::min(n, static_cast<std::size_t>(std::max(0.0, fitting)));
+void ScanFan::make_sectors() {
   outline_.clear();
-  is_rim_.assign(n, 0);
-  overlapping_.clear();
-  is_simple_ = true;
+  const std::size_t n = beams_.size();
+  const bool joins = beams_.may_join();
+  const bool wraps = joins && beams_.is_round();
+  bool joined = wraps && beams_.frees(n - 1);
   for (std::size_t i = 0; i < n; ++i) {
-    if (!frees(i)) continue;
-    const std::size_t previous = i > 0 ? i - 1 : n - 1;
-    const std::size_t next = i + 1 < n ? i + 1 : 0;
-    if (!(frees(previous) && (i > 0 || round))) add_half(i, -half_sine_);
-    if (frees(next) && (next > 0 || round)) {
-      add_between(i, next);
+    if (!beams_.frees(i)) {
+      joined = false;
+      continue;
+    }
+    if (!joined) add_half(i, -1.0);
+    joined = i + 1 < n ? joins && beams_.frees(i + 1) : wraps && beams_.frees(0);
+    if (joined) {
+      add_between(i, next(i));
     } else {
-      add_half(i, half_sine_);
+      add_half(i, 1.0);
     }
   }
 }
 
 void ScanFan::add_between(std::size_t i, std::size_t next) {
-  if (i < outlined_ && next < outlined_) {
+  if (is_in_first_turn(i, next)) {
     is_rim_[i] = 1;
-    return check_rim(end(i), end(next));
+    return;
   }
-  overlapping_.push_back({end(i), end(next)});
-  if (i < outlined_) outline_.push_back({end(i), kSensor});
+  overlapping_.push_back({beams_.end(i), beams_.end(next)});
+  if (i < beams_.first_turn()) outline_.push_back({beams_.end(i), beams_.centre()});
+  if (next < beams_.first_turn()) outline_.push_back({beams_.centre(), beams_.end(next)});
 }
 
 void ScanFan::add_half(std::size_t i, double side) {
-  const double x = direction_x_[i] * half_cosine_ - direction_y_[i] * side;
-  const double y = direction_y_[i] * half_cosine_ + direction_x_[i] * side;
-  const FinePoint corner = grid_.point(range_[i] * (R_(0, 0) * x + R_(0, 1) * y),
-                                       range_[i] * (R_(1, 0) * x + R_(1, 1) * y));
+  const FinePoint end = beams_.end(i);
+  const FinePoint corner = beams_.beside(i, side);
   bounds_.add(corner);
-  const bool is_first = side * half_sine_ < 0.0;
-  if (i >= outlined_) return overlapping_.push_back({end(i), corner});
-  check_rim(is_first ? corner : end(i), is_first ? end(i) : corner);
-  outline_.push_back({end(i), corner});
-  outline_.push_back({corner, kSensor});
+  if (i >= beams_.first_turn()) return overlapping_.push_back({end, corner});
+  outline_.push_back({end, corner});
+  outline_.push_back({corner, beams_.centre()});
 }
 
-void ScanFan::check_rim(FinePoint a, FinePoint b) {
-  if (static_cast<double>(cross(a, b)) * turn_ < 0.0) is_simple_ = false;
+void ScanFan::join_echoes() {
+  const std::size_t pairs = beams_.is_round() ? beams_.size() : beams_.size() - 1;
+  if (!beams_.may_join()) return;
+  for (std::size_t i = 0; i < pairs; ++i) {
+    if (!beams_.is_one_surface(i, next(i))) continue;
+    if (is_in_first_turn(i, next(i))) {
+      is_strip_[i] = 1;
+    } else {
+      more_strips_.push_back(i);
+    }
+  }
+}
+
+void ScanFan::draw_rays(Footprint& footprint) const {
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    if (beams_.frees(i)) footprint.ray(beams_.origin(i), beams_.end(i));
+  }
+}
+
+void ScanFan::draw_overlapping(Footprint& footprint) const {
+  for (const Edge& sector : overlapping_) {
+    const std::array<FinePoint, 3> corners = {beams_.centre(), sector.a, sector.b};
+    footprint.fill(corners.data(), 3);
+  }
+  for (std::size_t i : more_strips_) {
+    const std::array<FinePoint, 4> corners = {beams_.end(i), beams_.far(i), beams_.far(next(i)),
+                                              beams_.end(next(i))};
+    footprint.fill_occupied(corners.data(), 4);
+  }
+}
+
+void ScanFan::draw_echoes(Footprint& footprint) const {
+  draw_rims(footprint);
+  if (beams_.has_margin()) draw_strips(footprint);
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    if (beams_.hits(i)) footprint.occupy(beams_.echo(i));
+  }
+}
+
+// The rims of the sectors, which are those of the strips between echoes, too.
+void ScanFan::draw_rims(Footprint& footprint) const {
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    if (is_rim_[i] && is_strip_[i]) {
+      footprint.outline_both(beams_.end(i), beams_.end(next(i)));
+    } else if (is_rim_[i]) {
+      footprint.outline(beams_.end(i), beams_.end(next(i)));
+    } else if (is_strip_[i]) {
+      footprint.outline_occupied(beams_.end(i), beams_.end(next(i)));
+    }
+  }
+}
+
+void ScanFan::draw_strips(Footprint& footprint) const {
+  bool joined = is_strip_.back() != 0;
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    const bool joins = is_strip_[i] != 0;
+    if (joins != joined) footprint.outline_occupied(beams_.end(i), beams_.far(i));
+    if (joins) footprint.outline_occupied(beams_.far(i), beams_.far(next(i)));
+    joined = joins;
+  }
 }
 
 }  // namespace portolan

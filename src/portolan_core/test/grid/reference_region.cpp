@@ -10,14 +10,28 @@ namespace {
 
 using Point = ReferenceRegion::Point;
 
-// Even-odd, in integers: a centre on a left or lower edge is in, on a right or upper one out.
+// Is the centre in the rows of the edge, and right of it or upon it? In integers.
+bool is_right_of(Point a, Point b, Point c) {
+  if ((a.y <= c.y) == (b.y <= c.y)) return false;
+  const std::int64_t dy = b.y - a.y;
+  const std::int64_t side = (c.x - a.x) * dy - (c.y - a.y) * (b.x - a.x);
+  return dy > 0 ? side >= 0 : side <= 0;
+}
+
+// Even-odd: a centre on a left or lower edge is in, on a right or upper one out.
 bool in_polygon(const std::vector<Point>& p, Point c) {
   bool in = false;
   for (std::size_t i = 0, j = p.size() - 1; i < p.size(); j = i++) {
-    if ((p[i].y <= c.y) == (p[j].y <= c.y)) continue;
-    const std::int64_t dy = p[j].y - p[i].y;
-    const std::int64_t side = (c.x - p[i].x) * dy - (c.y - p[i].y) * (p[j].x - p[i].x);
-    if (dy > 0 ? side >= 0 : side <= 0) in = !in;
+    if (is_right_of(p[i], p[j], c)) in = !in;
+  }
+  return in;
+}
+
+// The same of the edges of any number of polygons.
+bool in_edges(const std::vector<Point>& p, Point c) {
+  bool in = false;
+  for (std::size_t i = 0; i < p.size(); i += 2) {
+    if (is_right_of(p[i], p[i + 1], c)) in = !in;
   }
   return in;
 }
@@ -59,6 +73,8 @@ bool ReferenceRegion::contains(Point low) const {
   switch (shape) {
     case Shape::polygon:
       return in_polygon(points, centre);
+    case Shape::edges:
+      return in_edges(points, centre);
     case Shape::ray:
       return under_ray(points, low);
     case Shape::cone:

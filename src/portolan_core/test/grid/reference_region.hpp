@@ -12,11 +12,11 @@ struct ReferenceRegion {
   struct Point {
     std::int64_t x, y;  // in 1/1024 of a cell, from the sensor's anchor
   };
-  enum class Shape { polygon, ray, cone, cell };
+  enum class Shape { polygon, edges, ray, cone, cell };
 
   Shape shape;
   bool occupied;
-  std::vector<Point> points;          // of a cone: its rim, seen from the anchor
+  std::vector<Point> points;  // of edges: two each; of a cone: its rim, seen from the anchor
   std::int64_t inner = 0, outer = 0;  // of a cone
 
   /// True if the cell whose lower corner is `low` belongs to the region, by draw.hpp.

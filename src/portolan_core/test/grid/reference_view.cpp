@@ -7,6 +7,25 @@
 #include <variant>
 
 namespace portolan {
+namespace {
+
+bool moves(const RangeScan& scan) { return !scan.T_first_last.matrix().isIdentity(0.0); }
+
+bool goes_round(const RangeScan& scan) {
+  const double step = std::abs(scan.angle_increment);
+  const double n = static_cast<double>(scan.ranges.size());
+  return n > 2.0 && std::abs(n * step - 2.0 * M_PI) < 1e-3 * step;
+}
+
+// How many beams the sensor sends in its first turn.
+std::size_t first_turn(const RangeScan& scan) {
+  if (goes_round(scan) && !moves(scan)) return scan.ranges.size();
+  const double turned = moves(scan) ? rotation_angle(scan.T_first_last) : 0.0;
+  const double fitting = (2.0 * M_PI - 0.1 - turned) / std::abs(scan.angle_increment) - 1.0;
+  return static_cast<std::size_t>(std::max(0.0, fitting));
+}
+
+}  // namespace
 
 ReferenceView::ReferenceView(const GridOptions& options, const Pose& T_map_sensor,
                              const GridMapper::Observation& z)
@@ -30,9 +49,8 @@ ReferenceRegion::Point ReferenceView::end(const Beam& beam, double angle, double
 
 ReferenceView::Beam ReferenceView::beam(const RangeScan& scan, std::size_t i) const {
   const double n = static_cast<double>(scan.ranges.size());
-  const bool moves = !scan.T_first_last.matrix().isIdentity(0.0);
   const double part = n > 1 ? static_cast<double>(i) / (n - 1) : 0.0;
-  const Pose T = moves ? interpolate(T_, T_ * scan.T_first_last, part) : T_;
+  const Pose T = moves(scan) ? interpolate(T_, T_ * scan.T_first_last, part) : T_;
   const Eigen::Vector3d moved = T.translation() - T_.translation();
   Beam beam{at(moved.x(), moved.y()), T.linear().topLeftCorner<2, 2>(),
             scan.angle_min + static_cast<double>(i) * scan.angle_increment};
@@ -54,48 +72,68 @@ void ReferenceView::see(const RangeScan& scan) {
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) beams.push_back(beam(scan, i));
   const double step = scan.angle_increment;
   const double half = std::copysign(std::min(std::abs(step), M_PI / 2.0) / 2.0, step);
+  const Eigen::Vector3d moved = T_.linear() * scan.T_first_last.translation();
+  centre_ = at(0.5 * moved.x(), 0.5 * moved.y());
   for (std::size_t i = 0; i < beams.size(); ++i) {
     if (options_.laser.beam_model == BeamModel::sector) {
-      see_side(beams, i, i + 1, step, half);
-      see_side(beams, i, i == 0 ? beams.size() : i - 1, step, -half);
+      see_side(scan, beams, i, i + 1, half);
+      see_side(scan, beams, i, i == 0 ? beams.size() : i - 1, -half);
     } else if (beams[i].free > 0.0) {
       regions_.push_back(
           {Shape::ray, false, {beams[i].origin, end(beams[i], beams[i].angle, beams[i].free)}});
     }
-    see_echo(beams[i], half);
+    if (beams[i].hit <= 0.0) continue;
+    regions_.push_back({Shape::cell, true, {end(beams[i], beams[i].angle, beams[i].hit)}});
+  }
+  for (const ReferenceRegion& region : {outline_, strips_}) {
+    if (!region.points.empty()) regions_.push_back(region);
   }
 }
 
-// The free region on one side of a beam: up to the neighbour, or half a step wide.
-void ReferenceView::see_side(const std::vector<Beam>& beams, std::size_t i, std::size_t neighbour,
-                             double step, double half) {
+void ReferenceView::add(ReferenceRegion& outline, const std::vector<Point>& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    outline.points.push_back(polygon[i]);
+    outline.points.push_back(polygon[(i + 1) % polygon.size()]);
+  }
+}
+
+// The sector on one side of a beam: up to the neighbour, or half a step wide.
+void ReferenceView::see_side(const RangeScan& scan, const std::vector<Beam>& beams, std::size_t i,
+                             std::size_t neighbour, double half) {
+  const double step = scan.angle_increment;
   const std::size_t n = beams.size();
-  const bool round =
-      std::abs(static_cast<double>(n) * std::abs(step) - 2.0 * M_PI) < 1e-3 * std::abs(step);
-  if (neighbour == n && round && n > 2) neighbour = half * step > 0.0 ? 0 : n - 1;
+  if (neighbour == n && goes_round(scan)) neighbour = half * step > 0.0 ? 0 : n - 1;
   const Beam& a = beams[i];
   if (a.free <= 0.0) return;
-  const Point p = end(a, a.angle, a.free);
   if (neighbour < n && std::abs(step) <= M_PI / 2.0 && beams[neighbour].free > 0.0) {
-    const Beam& b = beams[neighbour];
-    const Point q = end(b, b.angle, b.free);
-    regions_.push_back({Shape::polygon, false, {a.origin, p, q, b.origin}});
-  } else {
-    regions_.push_back({Shape::polygon, false, {a.origin, p, end(a, a.angle + half, a.free)}});
+    if (half * step > 0.0) see_between(scan, beams, i, neighbour);
+    return;
   }
+  const std::vector<Point> sector = {centre_, end(a, a.angle, a.free),
+                                     end(a, a.angle + half, a.free)};
+  if (i < first_turn(scan)) return add(outline_, sector);
+  regions_.push_back({Shape::polygon, false, sector});
 }
 
-void ReferenceView::see_echo(const Beam& beam, double half) {
-  if (beam.hit <= 0.0) return;
-  regions_.push_back({Shape::cell, true, {end(beam, beam.angle, beam.hit)}});
+// The sector from a beam to the next one and, where they see one surface, the strip beyond it.
+void ReferenceView::see_between(const RangeScan& scan, const std::vector<Beam>& beams,
+                                std::size_t i, std::size_t next) {
+  const Beam& a = beams[i];
+  const Beam& b = beams[next];
   const double d = options_.laser.margin;
-  if (d == 0.0) return;
-  const double near = std::max(0.0, beam.hit - d);
-  regions_.push_back(
-      {Shape::polygon,
-       true,
-       {end(beam, beam.angle - half, near), end(beam, beam.angle - half, beam.hit + d),
-        end(beam, beam.angle + half, beam.hit + d), end(beam, beam.angle + half, near)}});
+  const Point p = end(a, a.angle, a.free);
+  const Point q = end(b, b.angle, b.free);
+  const std::vector<Point> sector = {centre_, p, q};
+  const std::vector<Point> strip = {p, end(a, a.angle, a.hit + d), end(b, b.angle, b.hit + d), q};
+  const bool has_strip = d > 0.0 && a.hit > 0.0 && b.hit > 0.0 &&
+                         std::abs(a.hit - b.hit) <= 2.0 * d + options_.resolution;
+  if (i < first_turn(scan) && next < first_turn(scan) && !(next == 0 && moves(scan))) {
+    add(outline_, sector);
+    if (has_strip) add(strips_, strip);
+  } else {
+    regions_.push_back({Shape::polygon, false, sector});
+    if (has_strip) regions_.push_back({Shape::polygon, true, strip});
+  }
 }
 
 void ReferenceView::see(const RangeEcho& echo) {

@@ -37,9 +37,11 @@ class ReferenceView {
   void see(const RangeScan& scan);
   void see(const RangeEcho& echo);
   void see(const PointCloud& cloud);
-  void see_side(const std::vector<Beam>& beams, std::size_t i, std::size_t neighbour, double step,
-                double half);
-  void see_echo(const Beam& beam, double half);
+  void see_side(const RangeScan& scan, const std::vector<Beam>& beams, std::size_t i,
+                std::size_t neighbour, double half);
+  void see_between(const RangeScan& scan, const std::vector<Beam>& beams, std::size_t i,
+                   std::size_t next);
+  static void add(ReferenceRegion& outline, const std::vector<Point>& polygon);
   void see_ray(Eigen::Vector3d ray, bool returned);
 
   Point at(double x, double y) const;
@@ -51,6 +53,9 @@ class ReferenceView {
   Pose T_;
   double fine_;  // 1/1024 of a cell in a metre
   Point anchor_;
+  Point centre_{};                                    // of the sectors of a scan
+  ReferenceRegion outline_{Shape::edges, false, {}};  // of the sectors of the first turn
+  ReferenceRegion strips_{Shape::edges, true, {}};    // beyond them
   std::vector<ReferenceRegion> regions_;
 };
 

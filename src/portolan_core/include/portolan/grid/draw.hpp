@@ -18,9 +18,16 @@ namespace portolan {
 /// A planar scan. Sector model: free is the polygon from the sensor along its echoes (drawn back by
 /// the margin), so that each beam stands for the angular step about it, with the range running
 /// straight to that of its neighbour; where a neighbour is silent or more than 90 degrees away, the
-/// beam's own range holds up to half a step. Ray model: free are the cells under each beam.
-/// Occupied are the echoes' cells and, with a margin, those whose centres lie within it of the echo
-/// in range and half a step in angle. Beams that free less than 1/32 cell free nothing.
+/// beam's own range holds up to half a step. Ray model: free are the cells under each beam. Beams
+/// that free less than 1/32 cell free nothing.
+///
+/// Occupied are the echoes' cells and, with a margin, the strips along surfaces: between neighbours
+/// of at most 90 degrees whose ranges differ by no more than two margins and a cell's side, from
+/// the ends of what they free to the margin beyond their echoes. The strips of one turn together
+/// make one outline, under the even-odd rule.
+///
+/// Where the sensor moves during the scan, each beam starts from where it stood then, and turned as
+/// it did then; sectors reach from there to where it stood half way.
 Outcome draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options,
              ScanFan& fan, Footprint& footprint);
 

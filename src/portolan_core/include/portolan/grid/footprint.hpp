@@ -34,7 +34,22 @@ class Footprint {
 
   /// An edge of the outline of the free region. The edges of all closed outlines together decide by
   /// the even-odd rule.
-  void outline(FinePoint a, FinePoint b) { toggle(a, b); }
+  void outline(FinePoint a, FinePoint b) {
+    walk(a, b, [this](int row, int column) { toggle_from(toggled_, is_toggled_, column, row); });
+  }
+
+  /// The same of the occupied region.
+  void outline_occupied(FinePoint a, FinePoint b) {
+    walk(a, b, [this](int row, int column) { toggle_from(struck_, is_struck_, column, row); });
+  }
+
+  /// An edge of both.
+  void outline_both(FinePoint a, FinePoint b) {
+    walk(a, b, [this](int row, int column) {
+      toggle_from(toggled_, is_toggled_, column, row);
+      toggle_from(struck_, is_struck_, column, row);
+    });
+  }
 
   /// Frees a polygon whatever it overlaps. Not between `outline`s.
   void fill(const FinePoint* corners, int count) { fill(free_, corners, count); }
@@ -69,17 +84,18 @@ class Footprint {
   Word& word(std::vector<Word>& plane, int column, int row) {
     return plane[static_cast<std::size_t>((column >> 6) * rows_ + row)];
   }
-  void toggle_from(int column, int row) {
-    word(toggled_, column, row) ^= ~Word{0} << (column & 63);
-    is_toggled_[tile_at(column, row)] = 1;
+  void toggle_from(std::vector<Word>& plane, std::vector<std::uint8_t>& marks, int column,
+                   int row) {
+    word(plane, column, row) ^= ~Word{0} << (column & 63);
+    marks[tile_at(column, row)] = 1;
   }
   std::size_t tile_at(int column, int row) const {
     return static_cast<std::size_t>((column >> 6) * (rows_ >> 6) + (row >> 6));
   }
-  void toggle(FinePoint a, FinePoint b) {
+  template <class Visit>
+  void walk(FinePoint a, FinePoint b, Visit visit) {
     // The first column whose centre lies at x or right of it is ceil(x - 1/2).
-    fine_walk::walk_rows(in_window(a), in_window(b), 0.5 - fine_walk::kNudge,
-                         [this](int row, int column) { toggle_from(column, row); });
+    fine_walk::walk_rows(in_window(a), in_window(b), 0.5 - fine_walk::kNudge, visit);
   }
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
   void measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const;
@@ -88,7 +104,7 @@ class Footprint {
   void mark_spans(int strip);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
   bool take_bits(int strip, int band);
-  void take_toggled(Word* toggled);
+  bool take_toggled(Word* toggled, TileBits& carry, TileBits& inside) const;
 
   CellRect covered_;   // in the map
   Cell tile_;          // index of the window's lowest tile
@@ -99,15 +115,19 @@ class Footprint {
   int end_row_ = 0;
   // Planes of bits: strips of 64 columns, each with its rows one after the other.
   std::vector<Word> toggled_;  // is the number of edges left of the cell odd?
+  std::vector<Word> struck_;   // the same of the occupied region
   std::vector<Word> free_;
   std::vector<Word> occupied_;
   // By tile: does the plane hold something there?
   std::vector<std::uint8_t> is_toggled_;
+  std::vector<std::uint8_t> is_struck_;
   std::vector<std::uint8_t> is_free_;
   std::vector<std::uint8_t> is_occupied_;
   // Of the tile that is put into the map.
   TileBits carry_{};  // by row: the parity left of it
+  TileBits struck_carry_{};
   bool carries_ = false;
+  bool struck_carries_ = false;
   std::size_t band_begin_ = 0;  // its covered rows
   std::size_t band_end_ = 0;
   TileBits freed_{};

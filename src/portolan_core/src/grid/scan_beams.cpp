@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/grid/scan_beams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "portolan/observation/range_reading.hpp"
+
+namespace portolan {
+
+namespace {
+
+// What is left open of a turn at least, so that rounding cannot make its ends overlap [rad].
+constexpr double kGap = 0.1;
+
+bool goes_round_once(const RangeScan& scan) {
+  const double step = std::abs(scan.angle_increment);
+  return scan.ranges.size() > 2 &&
+         std::abs(static_cast<double>(scan.ranges.size()) * step - 2.0 * M_PI) < 1e-3 * step;
+}
+
+FinePoint operator+(FinePoint a, FinePoint b) { return {a.x + b.x, a.y + b.y}; }
+
+}  // namespace
+
+void ScanBeams::place(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options) {
+  grid_ = FineGrid(options.resolution);
+  R_ = T_map_sensor.linear().topLeftCorner<2, 2>();
+  has_margin_ = options.laser.margin > 0.0;
+  is_swept_ = scan.T_first_last.matrix() != Pose::Identity().matrix();
+  look_up_directions(scan);
+  look_up_ranges(scan, options);
+  bounds_ = {};
+  if (is_swept_) {
+    sweep(scan, T_map_sensor);
+  } else {
+    turn_directions();
+  }
+  put(range_, end_);
+  if (has_margin_) {
+    put(hit_, echo_);
+    put(beyond_, far_);
+  }
+  count_turn(scan);
+}
+
+void ScanBeams::look_up_directions(const RangeScan& scan) {
+  if (angle_min_ == scan.angle_min && angle_increment_ == scan.angle_increment &&
+      direction_x_.size() == scan.ranges.size()) {
+    return;
+  }
+  angle_min_ = scan.angle_min;
+  angle_increment_ = scan.angle_increment;
+  const double half =
+      std::copysign(std::min(std::abs(angle_increment_), kWidest) / 2.0, angle_increment_);
+  half_cosine_ = std::cos(half);
+  half_sine_ = std::sin(half);
+  direction_x_.resize(scan.ranges.size());
+  direction_y_.resize(scan.ranges.size());
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+    direction_x_[i] = std::cos(angle);
+    direction_y_[i] = std::sin(angle);
+  }
+}
+
+void ScanBeams::look_up_ranges(const RangeScan& scan, const GridOptions& options) {
+  const LaserModel& model = options.laser;
+  const double d = model.margin;
+  least_range_ = options.resolution / 32.0;
+  same_ = 2.0 * d + options.resolution;
+  const double no_return =
+      model.no_return == NoReturn::clear ? std::min(model.max_range, scan.range_max) : 0.0;
+  const double nearest = std::max(scan.range_min, std::numeric_limits<double>::min());
+  const double farthest = scan.range_min < scan.range_max ? scan.range_max : 0.0;
+  const std::size_t n = scan.ranges.size();
+  range_.resize(n);
+  hit_.resize(n);
+  beyond_.resize(n);
+  is_echo_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double range = static_cast<double>(scan.ranges[i]);
+    const bool is_hit = range >= nearest && range < farthest;
+    const bool is_echo = is_hit && range <= model.max_range;
+    is_echo_[i] = is_echo;
+    hit_[i] = is_echo ? range : 0.0;
+    beyond_[i] = is_echo ? range + d : 0.0;
+    double free = std::max(0.0, range - d);
+    if (!is_hit) {
+      const RangeReading reading = range_reading(range, scan.range_min, scan.range_max);
+      free = reading == RangeReading::nothing_returned ? no_return : 0.0;
+    }
+    range_[i] = std::min(free, model.max_range);
+  }
+}
+
+void ScanBeams::turn_directions() {
+  const double xx = R_(0, 0), xy = R_(0, 1), yx = R_(1, 0), yy = R_(1, 1);
+  const std::size_t n = range_.size();
+  map_x_.resize(n);
+  map_y_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    map_x_[i] = xx * direction_x_[i] + xy * direction_y_[i];
+    map_y_[i] = yx * direction_x_[i] + yy * direction_y_[i];
+  }
+  centre_ = {};
+}
+
+// The sensor moves from the first beam to the last one, evenly in place and angle.
+void ScanBeams::sweep(const RangeScan& scan, const Pose& T_map_sensor) {
+  const std::size_t n = range_.size();
+  const double last = std::max(1.0, static_cast<double>(n - 1));
+  const Eigen::Vector2d moved = (T_map_sensor.linear() * scan.T_first_last.translation()).head<2>();
+  const Eigen::AngleAxisd turned(scan.T_first_last.linear());
+  // Rodrigues: R = I + sin(a) K + (1 - cos(a)) K^2, seen from above.
+  Eigen::Matrix3d K;
+  K << 0.0, -turned.axis().z(), turned.axis().y(), turned.axis().z(), 0.0, -turned.axis().x(),
+      -turned.axis().y(), turned.axis().x(), 0.0;
+  const Eigen::Matrix3d R_map_first = T_map_sensor.linear();
+  const Eigen::Matrix2d with_sine = (R_map_first * K).topLeftCorner<2, 2>();
+  const Eigen::Matrix2d with_cosine = (R_map_first * K * K).topLeftCorner<2, 2>();
+  const Eigen::Rotation2Dd step(turned.angle() / last);
+  const Eigen::Matrix2d step_matrix = step.toRotationMatrix();
+  Eigen::Vector2d at(1.0, 0.0);
+  map_x_.resize(n);
+  map_y_.resize(n);
+  origin_.x.resize(n);
+  origin_.y.resize(n);
+  swept_R_.resize(n);
+  for (std::size_t i = 0; i < n; ++i, at = step_matrix * at) {
+    swept_R_[i] = R_ + at.y() * with_sine + (1.0 - at.x()) * with_cosine;
+    const Eigen::Vector2d p = swept_R_[i] * Eigen::Vector2d(direction_x_[i], direction_y_[i]);
+    map_x_[i] = p.x();
+    map_y_[i] = p.y();
+    const Eigen::Vector2d o = static_cast<double>(i) / last * moved;
+    const FinePoint origin = grid_.point(o.x(), o.y());
+    origin_.x[i] = origin.x;
+    origin_.y[i] = origin.y;
+    bounds_.add(origin);
+  }
+  centre_ = grid_.point(0.5 * moved.x(), 0.5 * moved.y());
+  bounds_.add(centre_);
+}
+
+void ScanBeams::put(const std::vector<double>& range, Points& points) {
+  const std::size_t n = range.size();
+  points.x.resize(n);
+  points.y.resize(n);
+  const FineGrid grid = grid_;
+  for (std::size_t i = 0; i < n; ++i) {
+    const FinePoint p = grid.point(range[i] * map_x_[i], range[i] * map_y_[i]);
+    points.x[i] = p.x;
+    points.y[i] = p.y;
+  }
+  if (is_swept_) {
+    for (std::size_t i = 0; i < n; ++i) {
+      points.x[i] += origin_.x[i];
+      points.y[i] += origin_.y[i];
+    }
+  }
+  FineBounds bounds = bounds_;
+  for (std::size_t i = 0; i < n; ++i) bounds.add(points.at(i));
+  bounds_ = bounds;
+}
+
+void ScanBeams::count_turn(const RangeScan& scan) {
+  const std::size_t n = size();
+  const double step = std::abs(scan.angle_increment);
+  may_join_ = step <= kWidest;
+  is_round_ = goes_round_once(scan);
+  const double turned = is_swept_ ? rotation_angle(scan.T_first_last) : 0.0;
+  const double fitting = (2.0 * M_PI - kGap - turned) / step - 1.0;
+  const bool closes = is_round_ && !is_swept_;
+  first_turn_ = closes ? n : std::min(n, static_cast<std::size_t>(std::max(0.0, fitting)));
+}
+
+FinePoint ScanBeams::origin(std::size_t i) const { return is_swept_ ? origin_.at(i) : FinePoint{}; }
+
+FinePoint ScanBeams::beside(std::size_t i, double side) const {
+  const double sine = side * half_sine_;
+  const Eigen::Vector2d direction(direction_x_[i] * half_cosine_ - direction_y_[i] * sine,
+                                  direction_y_[i] * half_cosine_ + direction_x_[i] * sine);
+  const Eigen::Vector2d p = range_[i] * ((is_swept_ ? swept_R_[i] : R_) * direction);
+  return origin(i) + grid_.point(p.x(), p.y());
+}
+
+}  // namespace portolan
