@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "portolan_ros/convert/correction.hpp"
-#include "portolan_ros/diagnosis.hpp"
 #include "portolan_ros/map_keeper.hpp"
 #include "portolan_ros/map_services.hpp"
 #include "portolan_ros/node_options.hpp"
 #include "portolan_ros/params.hpp"
 #include "portolan_ros/pipeline.hpp"
+#include "portolan_ros/pipeline_diagnosis.hpp"
 #include "portolan_ros/subscriptions.hpp"
 
 namespace portolan {
@@ -33,7 +33,7 @@ class MapperNode {
       subscribe_to_input(name, noun, convert);
     });
     diagnostics_.setHardwareID("none");
-    diagnostics_.add("mapping", [this](auto& status) { diagnose(status); });
+    diagnostics_.add("mapping", [this](auto& status) { diagnosis_.fill(status); });
   }
 
  private:
@@ -56,7 +56,6 @@ class MapperNode {
     return string_parameter(private_handle_, "map_name", options_.node.map_name);
   }
   void redraw();
-  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
@@ -64,8 +63,7 @@ class MapperNode {
   Pipeline<Kind> pipeline_{options_.pipeline, options_.mapper};
   typename Kind::Outputs outputs_{handle_, options_.output, options_.node.map_frame,
                                   pipeline_.remapper()};
-  Diagnosis diagnosis_;
-  std::size_t bad_corrections_ = 0;
+  PipelineDiagnosis<Kind> diagnosis_{pipeline_};
   diagnostic_updater::Updater diagnostics_{handle_, private_handle_};
   Subscriptions subscriptions_{handle_};
   MapKeeper<Kind> keeper_{pipeline_.remapper(), options_, [this] { return map_name(); }};
@@ -123,7 +121,7 @@ void MapperNode<Kind>::correct(const portolan_msgs::DriftCorrection& message) {
     pipeline_.remapper().correct(
         ros_convert::correction(message, options_.pipeline.posing.odom_frame));
   } catch (const std::invalid_argument& error) {
-    ++bad_corrections_;
+    diagnosis_.refuse_correction();
     ROS_ERROR_THROTTLE(10.0, "drift_correction is refused: %s", error.what());
   }
 }
@@ -134,19 +132,6 @@ void MapperNode<Kind>::redraw() {
   const ros::WallTime end =
       ros::WallTime::now() + ros::WallDuration(kRedrawPeriod * options_.node.redraw_share);
   pipeline_.remapper().replay([end] { return ros::WallTime::now() < end; });
-}
-
-template <class Kind>
-void MapperNode<Kind>::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  diagnosis_.fill(pipeline_.posed().tallies(), status);
-  const Remapper<Mapper>& remapper = pipeline_.remapper();
-  status.add("observations in the log", remapper.log_size());
-  status.add("log [MB]", static_cast<double>(remapper.log_bytes()) * 1e-6);
-  status.add("observations that corrections no longer move", remapper.frozen());
-  status.add("redrawn", remapper.progress());
-  status.add("corrections refused", bad_corrections_);
-  status.add("transforms refused", pipeline_.posed().bad_transforms());
-  status.add("times the clock ran back", pipeline_.time_jumps());
 }
 
 }  // namespace portolan
