@@ -35,20 +35,26 @@ class Footprint {
   /// An edge of the outline of the free region. The edges of all closed outlines together decide by
   /// the even-odd rule.
   void outline(FinePoint a, FinePoint b) {
-    walk(a, b, [this](int row, int column) { toggle_from(toggled_, is_toggled_, column, row); });
+    walk(a, b, [toggled = edges(toggled_, is_toggled_)](int row, int column) {
+      toggled.toggle_from(column, row);
+    });
   }
 
   /// The same of the occupied region.
   void outline_occupied(FinePoint a, FinePoint b) {
-    walk(a, b, [this](int row, int column) { toggle_from(struck_, is_struck_, column, row); });
+    walk(a, b, [struck = edges(struck_, is_struck_)](int row, int column) {
+      struck.toggle_from(column, row);
+    });
   }
 
   /// An edge of both.
   void outline_both(FinePoint a, FinePoint b) {
-    walk(a, b, [this](int row, int column) {
-      toggle_from(toggled_, is_toggled_, column, row);
-      toggle_from(struck_, is_struck_, column, row);
-    });
+    walk(a, b,
+         [toggled = edges(toggled_, is_toggled_), struck = edges(struck_, is_struck_)](int row,
+                                                                                       int column) {
+           toggled.toggle_from(column, row);
+           struck.toggle_from(column, row);
+         });
   }
 
   /// Frees a polygon whatever it overlaps. Not between `outline`s.
@@ -80,14 +86,26 @@ class Footprint {
     int end = -(1 << 30);
   };
 
+  // A plane of edges, with all at hand that stays the same along an edge.
+  struct Edges {
+    Word* words;
+    std::uint8_t* marks;
+    std::ptrdiff_t rows;
+    std::ptrdiff_t bands;
+
+    void toggle_from(int column, int row) const {
+      const std::ptrdiff_t strip = column >> 6;
+      words[strip * rows + row] ^= ~Word{0} << (column & 63);
+      marks[strip * bands + (row >> 6)] = 1;
+    }
+  };
+  Edges edges(std::vector<Word>& plane, std::vector<std::uint8_t>& marks) {
+    return {plane.data(), marks.data(), rows_, rows_ >> 6};
+  }
+
   FinePoint in_window(FinePoint p) const { return {p.x + shift_.x, p.y + shift_.y}; }
   Word& word(std::vector<Word>& plane, int column, int row) {
     return plane[static_cast<std::size_t>((column >> 6) * rows_ + row)];
-  }
-  void toggle_from(std::vector<Word>& plane, std::vector<std::uint8_t>& marks, int column,
-                   int row) {
-    word(plane, column, row) ^= ~Word{0} << (column & 63);
-    marks[tile_at(column, row)] = 1;
   }
   std::size_t tile_at(int column, int row) const {
     return static_cast<std::size_t>((column >> 6) * (rows_ >> 6) + (row >> 6));
