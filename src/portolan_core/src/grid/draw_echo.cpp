@@ -33,38 +33,54 @@ Rings rings(const RangeEcho& echo, const GridOptions& options) {
   return {std::max(0.0, echo.range - d), echo.range + d};
 }
 
+// Where a cone points, seen from above: unit vectors.
+struct Directions {
+  Eigen::Vector2d axis;
+  Eigen::Vector2d right;
+  Eigen::Vector2d left;
+  double half_cosine = 1.0;  // of half the aperture, which is at most half a turn
+};
+
+Directions directions(const Eigen::Vector2d& axis, double aperture) {
+  const double cosine = std::cos(aperture / 2.0);
+  const Eigen::Vector2d along = cosine * axis;
+  const Eigen::Vector2d across = std::sin(aperture / 2.0) * Eigen::Vector2d(-axis.y(), axis.x());
+  return {axis, along - across, along + across, aperture < 2.0 * M_PI ? cosine : -1.0};
+}
+
 // Corners of wedges of at most a quarter turn each, far enough outside a disc of this radius.
 struct Fan {
   int wedges = 0;
   std::array<FinePoint, 5> corners;
 };
 
-Fan make_fan(const Eigen::Vector2d& axis, double aperture, double radius, const FineGrid& grid) {
+Fan make_fan(const Directions& cone, double aperture, double radius, const FineGrid& grid) {
+  const auto corner = [&](const Eigen::Vector2d& direction) {
+    return grid.point(1.5 * radius * direction.x(), 1.5 * radius * direction.y());
+  };
   Fan fan;
   fan.wedges = aperture <= M_PI / 2.0 ? 1 : static_cast<int>(std::ceil(aperture / (M_PI / 2.0)));
-  const bool closed = aperture >= 2.0 * M_PI;
-  for (int i = 0; i <= fan.wedges; ++i) {
+  fan.corners[0] = corner(cone.right);
+  for (int i = 1; i < fan.wedges; ++i) {
     const double angle = aperture * (static_cast<double>(i) / fan.wedges - 0.5);
-    const Eigen::Vector2d corner = 1.5 * radius * (Eigen::Rotation2Dd(angle) * axis);
-    fan.corners[static_cast<std::size_t>(i)] = grid.point(corner.x(), corner.y());
+    fan.corners[static_cast<std::size_t>(i)] = corner(Eigen::Rotation2Dd(angle) * cone.axis);
   }
-  if (closed) fan.corners[static_cast<std::size_t>(fan.wedges)] = fan.corners[0];
+  const bool closed = aperture >= 2.0 * M_PI;
+  fan.corners[static_cast<std::size_t>(fan.wedges)] = closed ? fan.corners[0] : corner(cone.left);
   return fan;
 }
 
 // The rectangle around the cone's part within `radius` [m].
-FineBounds bounds(const Eigen::Vector2d& axis, double aperture, double radius,
-                  const FineGrid& grid) {
+FineBounds bounds(const Directions& cone, double radius, const FineGrid& grid) {
   FineBounds bounds;
   const auto add = [&](const Eigen::Vector2d& direction) {
     bounds.add(grid.point(radius * direction.x(), radius * direction.y()));
   };
-  add(Eigen::Rotation2Dd(aperture / 2.0) * axis);
-  add(Eigen::Rotation2Dd(-aperture / 2.0) * axis);
-  const double inside = std::cos(std::min(aperture / 2.0, M_PI));
+  add(cone.left);
+  add(cone.right);
   for (const Eigen::Vector2d& side : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1),
                                       Eigen::Vector2d(-1, 0), Eigen::Vector2d(0, -1)}) {
-    if (side.dot(axis) >= inside) add(side);
+    if (side.dot(cone.axis) >= cone.half_cosine) add(side);
   }
   return bounds;
 }
@@ -82,8 +98,9 @@ Outcome draw(const RangeEcho& echo, const Pose& T_map_sensor, const GridOptions&
   const std::int64_t free = grid.length(seen.free * projected);
   const std::int64_t occupied = grid.length(seen.occupied * projected);
   const double radius = static_cast<double>(std::max(free, occupied)) / grid.scale();
-  const Fan fan = make_fan(axis / projected, echo.aperture, radius + options.resolution, grid);
-  const FineBounds around = bounds(axis / projected, echo.aperture, radius, grid);
+  const Directions cone = directions(axis / projected, echo.aperture);
+  const Fan fan = make_fan(cone, echo.aperture, radius + options.resolution, grid);
+  const FineBounds around = bounds(cone, radius, grid);
   if (!footprint.open(grid.anchor(T_map_sensor.translation()), around.min, around.max)) {
     return Outcome::unusable;
   }

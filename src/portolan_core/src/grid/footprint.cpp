@@ -18,21 +18,14 @@ constexpr int kMaxSide = 8500;  // of a window [cell]: keeps the walks exact
 // The lowest n bits, for n in [0, 64].
 std::uint64_t ones(int n) { return n == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1; }
 
-}  // namespace
-
-// The columns of a span whose centres lie at most `half` from `centre`.
-Footprint::Span Footprint::within(const Span& span, std::int32_t centre, std::int32_t half) {
-  if (half < 0) return {};
-  return {std::max(span.begin, fine_walk::first_centre(centre - half)),
-          std::min(span.end, fine_walk::first_centre(centre + half + 1))};
-}
-
-// A span's part in a strip.
-Footprint::Word Footprint::bits(const Span& span, int strip) {
-  const int begin = std::clamp(span.begin - strip * kSide, 0, kSide);
-  const int end = std::clamp(span.end - strip * kSide, 0, kSide);
+// The columns from begin on and before end, as bits of a strip.
+std::uint64_t bits(int begin, int end, int strip) {
+  begin = std::clamp(begin - strip * kSide, 0, kSide);
+  end = std::clamp(end - strip * kSide, begin, kSide);
   return ones(end) & ~ones(begin);
 }
+
+}  // namespace
 
 bool Footprint::open(Anchor anchor, FinePoint min, FinePoint max) {
   const auto cell = [](std::int64_t fine) { return static_cast<std::int32_t>(fine >> kFineLog2); };
@@ -105,27 +98,26 @@ void Footprint::cone(FinePoint b, FinePoint c, std::int64_t free, std::int64_t o
   }
   measure_disc(free, free_half_);
   measure_disc(std::max(free, occupied), half_);
-  const std::int32_t centre = corners[0].x;
-  free_spans_.resize(spans_.size());
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    free_spans_[i] = within(spans_[i], centre, free_half_[i]);
-    spans_[i] = within(spans_[i], centre, half_[i]);
+    if (half_[i] < 0 || spans_[i].begin >= spans_[i].end) continue;
+    mark_row(first_row_ + static_cast<int>(i), within(spans_[i], corners[0].x, free_half_[i]),
+             within(spans_[i], corners[0].x, half_[i]));
   }
-  for (int strip = 0; strip < strips_; ++strip) mark_spans(strip);
+  for (int strip = 0; strip < strips_; ++strip) {
+    for (int row = first_row_ & ~(kSide - 1); row < end_row_; row += kSide) {
+      is_free_[tile_at(strip * kSide, row)] = 1;
+      is_occupied_[tile_at(strip * kSide, row)] = 1;
+    }
+  }
 }
 
-// Frees the free spans, and occupies what the others have besides, in a strip.
-void Footprint::mark_spans(int strip) {
-  const auto first = static_cast<std::size_t>(strip * rows_ + first_row_);
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    const Word free = bits(free_spans_[i], strip);
-    const Word occupied = bits(spans_[i], strip) & ~free;
-    free_[first + i] |= free;
-    occupied_[first + i] |= occupied;
-  }
-  for (int row = first_row_ & ~(kSide - 1); row < end_row_; row += kSide) {
-    is_free_[tile_at(strip * kSide, row)] = 1;
-    is_occupied_[tile_at(strip * kSide, row)] = 1;
+// Frees the free columns of a row, and occupies what all of them have besides.
+void Footprint::mark_row(int row, const Span& free, const Span& all) {
+  const int last = std::min((all.end - 1) >> 6, strips_ - 1);
+  for (int strip = std::max(all.begin >> 6, 0); strip <= last; ++strip) {
+    const Word freed = bits(free.begin, free.end, strip);
+    word(free_, strip * kSide, row) |= freed;
+    word(occupied_, strip * kSide, row) |= bits(all.begin, all.end, strip) & ~freed;
   }
 }
 

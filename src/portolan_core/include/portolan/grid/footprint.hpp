@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -117,9 +118,13 @@ class Footprint {
   }
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
   void measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const;
-  static Span within(const Span& span, std::int32_t centre, std::int32_t half);
-  static Word bits(const Span& span, int strip);
-  void mark_spans(int strip);
+  // The columns of a span whose centres lie at most `half` from `centre`.
+  static Span within(const Span& span, std::int32_t centre, std::int32_t half) {
+    if (half < 0) return {};
+    return {std::max(span.begin, fine_walk::first_centre(centre - half)),
+            std::min(span.end, fine_walk::first_centre(centre + half + 1))};
+  }
+  void mark_row(int row, const Span& free, const Span& all);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
   bool take_bits(int strip, int band);
   bool take_toggled(Word* toggled, TileBits& carry, TileBits& inside) const;
@@ -151,7 +156,6 @@ class Footprint {
   TileBits freed_{};
   TileBits hit_{};
   std::vector<Span> spans_;  // by row: of the cone
-  std::vector<Span> free_spans_;
   std::vector<std::int32_t> free_half_;
   std::vector<std::int32_t> half_;
 };
