@@ -23,6 +23,10 @@ start_graph() {
   roslaunch -p "$port" "$@" > "$log" 2>&1 &
   graph=$!
   trap stop_graph EXIT
+  timeout 60 bash -c 'until rosparam list > /dev/null 2>&1; do sleep 0.2; done' || {
+    echo "no ROS master came up; see $log" >&2
+    exit 1
+  }
 }
 
 stop_graph() {
