@@ -6,6 +6,7 @@ namespace portolan::bench {
 GridOptions our_options(double max_range) {
   GridOptions options;
   options.laser.max_range = max_range;
+  options.sonar.max_range = max_range;
   return options;
 }
 
