@@ -117,8 +117,8 @@ void cell_rows_detail::update_cells_portably(TileMap::Tile& tile, const TileBits
 void update_cells(TileMap::Tile& tile, const TileBits& free, const TileBits& occupied,
                   std::size_t begin, std::size_t end, const CellUpdate& update) {
 #ifdef PORTOLAN_X86
-  static const bool has_avx512 = __builtin_cpu_supports("avx512bw") != 0;
-  if (has_avx512) return update_cells_avx512(tile, free, occupied, begin, end, update);
+  static const bool kHasAvx512 = __builtin_cpu_supports("avx512bw") != 0;
+  if (kHasAvx512) return update_cells_avx512(tile, free, occupied, begin, end, update);
 #endif
   cell_rows_detail::update_cells_portably(tile, free, occupied, begin, end, update);
 }

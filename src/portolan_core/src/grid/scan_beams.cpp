@@ -127,10 +127,10 @@ void ScanBeams::sweep(const RangeScan& scan, const Pose& T_map_sensor) {
   map_y_.resize(n);
   origin_.x.resize(n);
   origin_.y.resize(n);
-  swept_R_.resize(n);
+  R_swept_.resize(n);
   for (std::size_t i = 0; i < n; ++i, at = step_matrix * at) {
-    swept_R_[i] = R_ + at.y() * with_sine + (1.0 - at.x()) * with_cosine;
-    const Eigen::Vector2d p = swept_R_[i] * Eigen::Vector2d(direction_x_[i], direction_y_[i]);
+    R_swept_[i] = R_ + at.y() * with_sine + (1.0 - at.x()) * with_cosine;
+    const Eigen::Vector2d p = R_swept_[i] * Eigen::Vector2d(direction_x_[i], direction_y_[i]);
     map_x_[i] = p.x();
     map_y_[i] = p.y();
     const Eigen::Vector2d o = static_cast<double>(i) / last * moved;
@@ -181,7 +181,7 @@ FinePoint ScanBeams::beside(std::size_t i, double side) const {
   const double sine = side * half_sine_;
   const Eigen::Vector2d direction(direction_x_[i] * half_cosine_ - direction_y_[i] * sine,
                                   direction_y_[i] * half_cosine_ + direction_x_[i] * sine);
-  const Eigen::Vector2d p = range_[i] * ((is_swept_ ? swept_R_[i] : R_) * direction);
+  const Eigen::Vector2d p = range_[i] * ((is_swept_ ? R_swept_[i] : R_) * direction);
   return origin(i) + grid_.point(p.x(), p.y());
 }
 

@@ -40,7 +40,8 @@ void walk_rows(FinePoint a, FinePoint b, double offset, Visit visit) {
     std::swap(row, end);
   }
   const double slope = static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
-  const double to_first = row * FinePoint::kCell + FinePoint::kCell / 2 - a.y;
+  constexpr int kHalf = FinePoint::kCell / 2;
+  const double to_first = row * FinePoint::kCell + kHalf - a.y;
   const double x = (a.x + to_first * slope) * (1.0 / FinePoint::kCell) + offset;
   auto position = static_cast<std::int64_t>(x * 0x1p49);
   const auto step = static_cast<std::int64_t>(slope * 0x1p49);

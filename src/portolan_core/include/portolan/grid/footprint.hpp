@@ -7,6 +7,7 @@
 
 #include "portolan/grid/cell.hpp"
 #include "portolan/grid/cell_rows.hpp"
+#include "portolan/grid/edge_plane.hpp"
 #include "portolan/grid/fine_walk.hpp"
 #include "portolan/grid/tile_map.hpp"
 
@@ -50,12 +51,12 @@ class Footprint {
 
   /// An edge of both.
   void outline_both(FinePoint a, FinePoint b) {
-    walk(a, b,
-         [toggled = edges(toggled_, is_toggled_), struck = edges(struck_, is_struck_)](int row,
-                                                                                       int column) {
-           toggled.toggle_from(column, row);
-           struck.toggle_from(column, row);
-         });
+    const EdgePlane toggled = edges(toggled_, is_toggled_);
+    const EdgePlane struck = edges(struck_, is_struck_);
+    walk(a, b, [toggled, struck](int row, int column) {
+      toggled.toggle_from(column, row);
+      struck.toggle_from(column, row);
+    });
   }
 
   /// Frees a polygon whatever it overlaps. Not between `outline`s.
@@ -87,20 +88,7 @@ class Footprint {
     int end = -(1 << 30);
   };
 
-  // A plane of edges, with all at hand that stays the same along an edge.
-  struct Edges {
-    Word* words;
-    std::uint8_t* marks;
-    std::ptrdiff_t rows;
-    std::ptrdiff_t bands;
-
-    void toggle_from(int column, int row) const {
-      const std::ptrdiff_t strip = column >> 6;
-      words[strip * rows + row] ^= ~Word{0} << (column & 63);
-      marks[strip * bands + (row >> 6)] = 1;
-    }
-  };
-  Edges edges(std::vector<Word>& plane, std::vector<std::uint8_t>& marks) {
+  EdgePlane edges(std::vector<Word>& plane, std::vector<std::uint8_t>& marks) {
     return {plane.data(), marks.data(), rows_, rows_ >> 6};
   }
 
@@ -153,8 +141,7 @@ class Footprint {
   bool struck_carries_ = false;
   std::size_t band_begin_ = 0;  // its covered rows
   std::size_t band_end_ = 0;
-  TileBits freed_{};
-  TileBits hit_{};
+  TileBits freed_{}, hit_{};
   std::vector<Span> spans_;  // by row: of the cone
   std::vector<std::int32_t> free_half_;
   std::vector<std::int32_t> half_;

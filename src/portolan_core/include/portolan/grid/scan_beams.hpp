@@ -85,7 +85,7 @@ class ScanBeams {
   double least_range_ = 0.0;  // what frees less than this frees nothing [m]
   double same_ = 0.0;         // what ranges of one surface differ by at most [m]
   Eigen::Matrix2d R_ = Eigen::Matrix2d::Identity();  // turns and projects, at the first beam
-  std::vector<Eigen::Matrix2d> swept_R_;             // at each beam, where it moves
+  std::vector<Eigen::Matrix2d> R_swept_;             // at each beam, where it moves
   FinePoint centre_;
   FineBounds bounds_;
   std::vector<double> range_;  // that is free [m]; 0: says nothing
