@@ -40,7 +40,7 @@ RayMarks::Box clipped(const RayMarks::Box& box, const octomap::OcTreeKey& centre
 /// Table from a voxel's place on one axis of the volume to its share of the bit's address.
 void fill_bits(std::vector<std::uint32_t>& bits, int blocks, std::int64_t block_stride,
                std::int64_t voxel_stride) {
-  bits.resize(static_cast<std::size_t>(blocks * kVoxels));
+  bits.resize(static_cast<std::size_t>(blocks) * kVoxels);
   for (std::size_t i = 0; i < bits.size(); ++i) {
     const auto place = static_cast<std::int64_t>(i);
     bits[i] = static_cast<std::uint32_t>(place / kVoxels * block_stride * 512 +

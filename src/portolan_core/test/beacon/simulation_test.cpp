@@ -54,6 +54,7 @@ void run(std::uint32_t seed, const BeaconOptions& options, double scale, double 
          Scores& scores) {
   Dice dice(seed);
   std::vector<Eigen::Vector3d> truth;
+  truth.reserve(kBeacons);
   for (int i = 0; i < kBeacons; ++i) {
     truth.emplace_back(dice.uniform(-8.0, 8.0), dice.uniform(-8.0, 8.0), 0.0);
   }

@@ -40,7 +40,8 @@ struct VoxelBlock {
   VoxelMask known{};
 
   static constexpr std::size_t index(int x, int y, int z) {
-    return static_cast<std::size_t>(64 * z + 8 * y + x);
+    const int place = 64 * z + 8 * y + x;
+    return static_cast<std::size_t>(place);
   }
   bool is_known(std::size_t index) const { return ((known[index / 64] >> (index % 64)) & 1) != 0; }
 };
