@@ -42,9 +42,9 @@ std::int8_t percent(TruthGrid::Cell cell) {
 
 }  // namespace
 
-Publishers::Publishers(ros::NodeHandle handle, const RobotSimOptions& options,
+Publishers::Publishers(const ros::NodeHandle& handle, const RobotSimOptions& options,
                        const std::vector<AnySensor>& sensors)
-    : handle_(std::move(handle)), options_(options) {
+    : handle_(handle), options_(options) {
   if (options.publish_clock) advertise<rosgraph_msgs::Clock>("/clock");
   advertise<tf2_msgs::TFMessage>("/tf");
   advertise<tf2_msgs::TFMessage>("/tf_static", true);

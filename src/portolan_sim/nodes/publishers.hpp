@@ -18,7 +18,7 @@ namespace portolan::sim {
 /// Everything that the simulated robot says, by topic.
 class Publishers {
  public:
-  Publishers(ros::NodeHandle handle, const RobotSimOptions& options,
+  Publishers(const ros::NodeHandle& handle, const RobotSimOptions& options,
              const std::vector<AnySensor>& sensors);
 
   /// Publishes an event on its topic; odometry on /tf as well, features with their camera.

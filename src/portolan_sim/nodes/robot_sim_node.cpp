@@ -6,7 +6,6 @@
 #include <ros/init.h>
 
 #include <chrono>
-#include <utility>
 
 #include "portolan/sim/world_file.hpp"
 #include "portolan_ros/convert/basics.hpp"
@@ -31,8 +30,8 @@ void serve(double patience) {
 
 }  // namespace
 
-RobotSimNode::RobotSimNode(ros::NodeHandle handle, ros::NodeHandle private_handle)
-    : handle_(std::move(handle)), private_handle_(std::move(private_handle)) {
+RobotSimNode::RobotSimNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+    : handle_(handle), private_handle_(private_handle) {
   read_parameters(private_handle_, options_, simulation_options_);
   if (!options_.world_file.empty()) {
     simulation_options_.world = read_world(options_.world_file, options_.wall_height);

@@ -19,7 +19,7 @@ namespace portolan::sim {
 class RobotSimNode {
  public:
   /// Throws OptionsError with every fault of the parameters at once.
-  RobotSimNode(ros::NodeHandle handle, ros::NodeHandle private_handle);
+  RobotSimNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
 
   /// Runs until ROS shuts down.
   void run();

@@ -6,7 +6,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "portolan_ros/convert/correction.hpp"
 #include "portolan_ros/map_keeper.hpp"
@@ -26,8 +25,8 @@ class MapperNode {
   using Mapper = typename Kind::Mapper;
 
   /// Throws OptionsError with every fault of the parameters at once.
-  MapperNode(ros::NodeHandle handle, ros::NodeHandle private_handle)
-      : handle_(std::move(handle)), private_handle_(std::move(private_handle)) {
+  MapperNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+      : handle_(handle), private_handle_(private_handle) {
     subscribe_to_poses();
     Kind::inputs([this](const std::string& name, const std::string& noun, auto convert) {
       subscribe_to_input(name, noun, convert);

@@ -8,7 +8,6 @@
 #include <boost/function.hpp>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace portolan {
@@ -16,7 +15,7 @@ namespace portolan {
 /// The subscriptions of a node; they end with this object.
 class Subscriptions {
  public:
-  explicit Subscriptions(ros::NodeHandle handle) : handle_(std::move(handle)) {}
+  explicit Subscriptions(const ros::NodeHandle& handle) : handle_(handle) {}
 
   /// Calls back with each message by reference; `queue` messages may wait for the node.
   template <class Message, class Callback>
