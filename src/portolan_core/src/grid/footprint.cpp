@@ -40,7 +40,7 @@ bool Footprint::open(Anchor anchor, FinePoint min, FinePoint max) {
   rows_ = (((covered_.max.y - 1) >> 6) - tile_.y + 1) * kSide;
   first_row_ = covered_.min.y - tile_.y * kSide;
   end_row_ = covered_.max.y - tile_.y * kSide;
-  const auto words = static_cast<std::size_t>(strips_ * rows_);
+  const auto words = static_cast<std::size_t>(strips_) * rows_;
   for (std::vector<Word>* plane : {&toggled_, &struck_, &free_, &occupied_}) {
     if (plane->size() < words) plane->resize(words);
   }
@@ -124,7 +124,8 @@ void Footprint::mark_row(int row, const Span& free, const Span& all) {
 // Half the width of a disc about the anchor in each covered row; negative where it does not reach.
 void Footprint::measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const {
   const auto square = static_cast<double>(radius * radius - 1);  // of a distance below the radius
-  const double to_first = first_row_ * kFine + kFine / 2 - in_window({0, 0}).y;
+  constexpr int kHalf = kFine / 2;
+  const double to_first = first_row_ * kFine + kHalf - in_window({0, 0}).y;
   half.resize(spans_.size());
   for (std::size_t i = 0; i < half.size(); ++i) {
     const double dy = to_first + kFine * static_cast<double>(static_cast<std::int32_t>(i));
@@ -178,7 +179,7 @@ bool Footprint::take_bits(int strip, int band) {
   const std::size_t tile = tile_at(strip * kSide, band * kSide);
   const bool has_free = carries_ || is_toggled_[tile] || is_free_[tile];
   if (!has_free && !struck_carries_ && !is_struck_[tile] && !is_occupied_[tile]) return false;
-  const std::size_t first = static_cast<std::size_t>(strip * rows_ + band * kSide);
+  const std::size_t first = static_cast<std::size_t>(strip) * rows_ + band * kSide;
   for (std::size_t i = band_begin_; i < band_end_; ++i) {
     freed_[i] = carry_[i];
     hit_[i] = struck_carry_[i];
