@@ -165,8 +165,8 @@ void rebuild(benchmark::State& state, const OctoScene& scene, bool thins) {
 }
 
 const bool kRegistered = [] {
-  static const std::vector<OctoScene> scenes = octo_scenes();
-  for (const OctoScene& scene : scenes) {
+  static const std::vector<OctoScene> kScenes = octo_scenes();
+  for (const OctoScene& scene : kScenes) {
     const auto add = [&scene](const std::string& row, auto run) {
       return benchmark::RegisterBenchmark((row + "/" + scene.name).c_str(), run);
     };

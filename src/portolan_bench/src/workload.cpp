@@ -136,7 +136,7 @@ Workload rawlog(const std::string& path, double max_range) {
 #endif
 
 const std::vector<Workload>& workloads() {
-  static const std::vector<Workload> all = [] {
+  static const std::vector<Workload> kAll = [] {
     std::vector<Workload> made = {rooms(360, 2.0 * M_PI, 10.0), rooms(1080, 1.5 * M_PI, 30.0),
                                   hall(360, 2.0 * M_PI, 10.0), hall(1080, 1.5 * M_PI, 30.0)};
 #ifdef PORTOLAN_BENCH_HAS_MRPT
@@ -146,7 +146,7 @@ const std::vector<Workload>& workloads() {
 #endif
     return made;
   }();
-  return all;
+  return kAll;
 }
 
 }  // namespace portolan::bench

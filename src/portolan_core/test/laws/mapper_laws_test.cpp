@@ -31,6 +31,7 @@ class MapperLaws : public ::testing::Test {
 
   static std::vector<Entry> log(Case& draw) {
     std::vector<Entry> log;
+    log.reserve(kEntries);
     for (int i = 0; i < kEntries; ++i) {
       log.push_back({Time(seconds(0.1 * i)), draw.pose(), draw.observation()});
     }
@@ -39,6 +40,7 @@ class MapperLaws : public ::testing::Test {
 
   static Correction correction(Case& draw) {
     std::vector<Correction::Knot> knots;
+    knots.reserve(4);
     for (int i = 0; i < 4; ++i) knots.push_back({Time(seconds(0.7 * i)), draw.pose()});
     return Correction(knots);
   }
