@@ -49,6 +49,7 @@ TEST(Correction, InterpolatesBetweenNeighbours) {
 TEST(Correction, IsExactAtItsKnots) {
   std::mt19937_64 random(2);
   std::vector<Correction::Knot> knots;
+  knots.reserve(20);
   for (int i = 0; i < 20; ++i) knots.push_back({at_second(i), random_pose(random)});
   const Correction correction(knots);
   for (const Correction::Knot& knot : knots) {

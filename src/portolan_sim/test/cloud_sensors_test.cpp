@@ -60,7 +60,8 @@ TEST(Lidar, RingsRiseFromRowToRow) {
   for (std::size_t i = 0; i < organized.cloud.points.size(); ++i) {
     const Eigen::Vector3f& p = organized.cloud.points[i];
     const double step = (options.highest - options.lowest) / 4.0;
-    const double expected = options.lowest + static_cast<double>(i / 36) * step;
+    const std::size_t row = i / 36;
+    const double expected = options.lowest + static_cast<double>(row) * step;
     EXPECT_NEAR(std::asin(p.z() / p.norm()), expected, 1e-4);
   }
 }

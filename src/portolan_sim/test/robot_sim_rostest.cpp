@@ -52,79 +52,79 @@ class RobotSim : public ::testing::Test {
  protected:
   bool drove_to_the_end() {
     return eventually(
-        [this] { return !finished_.messages.empty() && finished_.messages.back().data; });
+        [this] { return !finished.messages.empty() && finished.messages.back().data; });
   }
 
   /// The scans of the first moment of each run.
   std::vector<std::vector<float>> first_scans() {
     std::vector<std::vector<float>> first;
-    for (const sensor_msgs::LaserScan& scan : scans_.messages) {
+    for (const sensor_msgs::LaserScan& scan : scans.messages) {
       if (scan.header.stamp == ros::Time(10.0)) first.push_back(scan.ranges);
     }
     return first;
   }
 
   bool clock_ran_back() {
-    const auto& ticks = clock_.messages;
+    const auto& ticks = clock.messages;
     const auto back = [](const auto& before, const auto& after) {
       return after.clock < before.clock;
     };
     return std::adjacent_find(ticks.begin(), ticks.end(), back) != ticks.end();
   }
 
-  ros::NodeHandle handle_;
-  Heard<tf2_msgs::TFMessage> tf_{handle_, "/tf"};
-  Heard<tf2_msgs::TFMessage> tf_static_{handle_, "/tf_static"};
-  Heard<nav_msgs::Odometry> odometry_{handle_, "odom"};
-  Heard<nav_msgs::Odometry> truth_{handle_, "ground_truth"};
-  Heard<sensor_msgs::LaserScan> scans_{handle_, "scan"};
-  Heard<sensor_msgs::Range> echoes_{handle_, "sonar"};
-  Heard<sensor_msgs::PointCloud2> clouds_{handle_, "cloud_in"};
-  Heard<portolan_msgs::LandmarkSightings> sightings_{handle_, "landmark_sightings"};
-  Heard<portolan_msgs::ImageFeatures> features_{handle_, "image_features"};
-  Heard<sensor_msgs::CameraInfo> camera_info_{handle_, "camera_info"};
-  Heard<portolan_msgs::BeaconRanges> ranges_{handle_, "beacon_ranges"};
-  Heard<rosgraph_msgs::Clock> clock_{handle_, "/clock"};
-  Heard<std_msgs::Bool> finished_{handle_, "path_finished"};
+  ros::NodeHandle handle;
+  Heard<tf2_msgs::TFMessage> tf{handle, "/tf"};
+  Heard<tf2_msgs::TFMessage> tf_static{handle, "/tf_static"};
+  Heard<nav_msgs::Odometry> odometry{handle, "odom"};
+  Heard<nav_msgs::Odometry> truth{handle, "ground_truth"};
+  Heard<sensor_msgs::LaserScan> scans{handle, "scan"};
+  Heard<sensor_msgs::Range> echoes{handle, "sonar"};
+  Heard<sensor_msgs::PointCloud2> clouds{handle, "cloud_in"};
+  Heard<portolan_msgs::LandmarkSightings> sightings{handle, "landmark_sightings"};
+  Heard<portolan_msgs::ImageFeatures> features{handle, "image_features"};
+  Heard<sensor_msgs::CameraInfo> camera_info{handle, "camera_info"};
+  Heard<portolan_msgs::BeaconRanges> ranges{handle, "beacon_ranges"};
+  Heard<rosgraph_msgs::Clock> clock{handle, "/clock"};
+  Heard<std_msgs::Bool> finished{handle, "path_finished"};
 };
 
 TEST_F(RobotSim, DrivesMeasuresAndDrivesAgainAfterAReset) {
   ASSERT_TRUE(drove_to_the_end());
   ASSERT_TRUE(eventually([this] {
-    return !clock_.messages.empty() && !truth_.messages.empty() && !camera_info_.messages.empty() &&
-           !ranges_.messages.empty() && !tf_static_.messages.empty() &&
-           truth_.messages.back().pose.pose.position.x > 3.9;
+    return !clock.messages.empty() && !truth.messages.empty() && !camera_info.messages.empty() &&
+           !ranges.messages.empty() && !tf_static.messages.empty() &&
+           truth.messages.back().pose.pose.position.x > 3.9;
   }));
 
   // Every frame is the robot's own, and the mount of every sensor is known.
   std::set<std::string> frames;
-  for (const auto& transform : tf_static_.messages.back().transforms) {
+  for (const auto& transform : tf_static.messages.back().transforms) {
     EXPECT_EQ(transform.header.frame_id, "ship/base_link");
     frames.insert(transform.child_frame_id);
   }
   EXPECT_EQ(frames.size(), 1U + 8U + 1U + 3U);
-  EXPECT_EQ(frames.count(scans_.messages.front().header.frame_id), 1U);
-  EXPECT_EQ(frames.count(echoes_.messages.front().header.frame_id), 1U);
-  EXPECT_EQ(frames.count(clouds_.messages.front().header.frame_id), 1U);
-  EXPECT_EQ(tf_.messages.front().transforms.at(0).header.frame_id, "ship/odom");
-  EXPECT_EQ(odometry_.messages.front().child_frame_id, "ship/base_link");
+  EXPECT_EQ(frames.count(scans.messages.front().header.frame_id), 1U);
+  EXPECT_EQ(frames.count(echoes.messages.front().header.frame_id), 1U);
+  EXPECT_EQ(frames.count(clouds.messages.front().header.frame_id), 1U);
+  EXPECT_EQ(tf.messages.front().transforms.at(0).header.frame_id, "ship/odom");
+  EXPECT_EQ(odometry.messages.front().child_frame_id, "ship/base_link");
 
   // Nothing was lost: time began only when all of us were listening.
-  EXPECT_EQ(scans_.messages.front().header.stamp, ros::Time(10.0));
-  for (std::size_t i = 1; i < scans_.messages.size(); ++i) {
-    const ros::Duration gap = scans_.messages[i].header.stamp - scans_.messages[i - 1].header.stamp;
+  EXPECT_EQ(scans.messages.front().header.stamp, ros::Time(10.0));
+  for (std::size_t i = 1; i < scans.messages.size(); ++i) {
+    const ros::Duration gap = scans.messages[i].header.stamp - scans.messages[i - 1].header.stamp;
     EXPECT_NEAR(gap.toSec(), 0.1, 1e-6);
   }
-  EXPECT_NEAR(truth_.messages.back().pose.pose.position.x, 4.0, 0.1);
-  EXPECT_EQ(clouds_.messages.front().data.size(), 4U * 36U * 12U);
-  EXPECT_EQ(sightings_.messages.front().sightings.at(0).id, 3);
-  EXPECT_NEAR(sightings_.messages.front().sightings.at(0).range, 4.8, 0.3);
-  EXPECT_EQ(features_.messages.front().features.at(0).id, 3);
-  EXPECT_EQ(camera_info_.messages.front().K[0], 500.0);
-  EXPECT_EQ(ranges_.messages.front().ranges.at(0).id, 4U);
+  EXPECT_NEAR(truth.messages.back().pose.pose.position.x, 4.0, 0.1);
+  EXPECT_EQ(clouds.messages.front().data.size(), 4U * 36U * 12U);
+  EXPECT_EQ(sightings.messages.front().sightings.at(0).id, 3);
+  EXPECT_NEAR(sightings.messages.front().sightings.at(0).range, 4.8, 0.3);
+  EXPECT_EQ(features.messages.front().features.at(0).id, 3);
+  EXPECT_EQ(camera_info.messages.front().K[0], 500.0);
+  EXPECT_EQ(ranges.messages.front().ranges.at(0).id, 4U);
 
   // After a reset the clock runs back, and the same things happen again.
-  finished_.messages.clear();
+  finished.messages.clear();
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros::service::call("robot_sim/reset", reset));
   EXPECT_TRUE(reset.response.success);
@@ -133,10 +133,10 @@ TEST_F(RobotSim, DrivesMeasuresAndDrivesAgainAfterAReset) {
   EXPECT_EQ(first_scans()[0], first_scans()[1]);
   ASSERT_TRUE(eventually([this] { return clock_ran_back(); }));
 
-  std_srvs::Trigger truth;
-  ASSERT_TRUE(ros::service::call("robot_sim/truth", truth));
-  EXPECT_FALSE(truth.response.success);
-  EXPECT_NE(truth.response.message.find("truth_directory"), std::string::npos);
+  std_srvs::Trigger saved;
+  ASSERT_TRUE(ros::service::call("robot_sim/truth", saved));
+  EXPECT_FALSE(saved.response.success);
+  EXPECT_NE(saved.response.message.find("truth_directory"), std::string::npos);
 }
 
 }  // namespace

@@ -19,17 +19,17 @@ void write(const std::string& path, const std::string& text) {
 
 class WorldFile : public ::testing::Test {
  protected:
-  std::string yaml_ = ::testing::TempDir() + "portolan_sim_world.yaml";
-  std::string pgm_ = ::testing::TempDir() + "portolan_sim_world.pgm";
+  std::string yaml = ::testing::TempDir() + "portolan_sim_world.yaml";
+  std::string pgm = ::testing::TempDir() + "portolan_sim_world.pgm";
 
   void TearDown() override {
-    std::remove(yaml_.c_str());
-    std::remove(pgm_.c_str());
+    std::remove(yaml.c_str());
+    std::remove(pgm.c_str());
   }
 
   std::string complaint() {
     try {
-      read_world(yaml_);
+      read_world(yaml);
     } catch (const std::runtime_error& error) {
       return error.what();
     }
@@ -38,13 +38,13 @@ class WorldFile : public ::testing::Test {
 };
 
 TEST_F(WorldFile, ReadsWallsBoxesCylindersAndMarks) {
-  write(yaml_,
+  write(yaml,
         "walls:\n  - {points: [[0, 0], [4, 0], [4, 3]], material: glass}\n"
         "boxes:\n  - {center: [1, 1], size: [0.5, 0.2], yaw: 0.3, height: 0.7}\n"
         "cylinders:\n  - {center: [2, 2], radius: 0.1, material: soft}\n"
         "landmarks:\n  - {id: 3, position: [1, 2, 0.5]}\n"
         "tour: [[1, 1], [2, 1]]\n");
-  const WorldOptions options = read_world(yaml_);
+  const WorldOptions options = read_world(yaml);
   const World world(options);
   ASSERT_EQ(world.obstacles().size(), 4U);
   EXPECT_EQ(world.obstacles()[0].material, Material::glass);
@@ -61,23 +61,23 @@ TEST_F(WorldFile, AMapThatWasWrittenIsTheWorldThatItCameFrom) {
   block.size = {0.3, 0.5};
   options.boxes.push_back(block);
   const TruthGrid grid = truth_grid(World(options), 0.05, 0.2, {0.2, 0.2});
-  write(pgm_, to_pgm(grid));
-  write(yaml_, to_map_yaml(grid, "portolan_sim_world.pgm"));
-  const TruthGrid again = truth_grid(World(read_world(yaml_)), 0.05, 0.2, {0.2, 0.2});
+  write(pgm, to_pgm(grid));
+  write(yaml, to_map_yaml(grid, "portolan_sim_world.pgm"));
+  const TruthGrid again = truth_grid(World(read_world(yaml)), 0.05, 0.2, {0.2, 0.2});
   EXPECT_EQ(to_text(again), to_text(grid));
   EXPECT_NEAR(again.origin.x(), grid.origin.x(), 1e-9);
 }
 
 TEST_F(WorldFile, FaultsNameTheFileAndWhatIsWrong) {
-  EXPECT_NE(complaint().find(yaml_), std::string::npos);
-  write(yaml_, "wals: []\nboxes: [{size: [1, -1]}]\n");
+  EXPECT_NE(complaint().find(yaml), std::string::npos);
+  write(yaml, "wals: []\nboxes: [{size: [1, -1]}]\n");
   EXPECT_NE(complaint().find("wals"), std::string::npos);
   EXPECT_NE(complaint().find("-1"), std::string::npos);
-  write(yaml_, "image: portolan_sim_world.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n");
+  write(yaml, "image: portolan_sim_world.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n");
   EXPECT_NE(complaint().find("cannot be opened"), std::string::npos);
-  write(pgm_, "P5\n# made by hand\n10 10\n255\nfew");
+  write(pgm, "P5\n# made by hand\n10 10\n255\nfew");
   EXPECT_NE(complaint().find("fewer pixels"), std::string::npos);
-  write(pgm_, "P2\n1 1\n255\n0");
+  write(pgm, "P2\n1 1\n255\n0");
   EXPECT_NE(complaint().find("P5"), std::string::npos);
 }
 

@@ -80,12 +80,16 @@ Projection::Grid Projection::grid() const {
   grid.resolution = lattice_->resolution();
   grid.x = lattice_->centre(kVoxels * low_x) - half;
   grid.y = lattice_->centre(kVoxels * low_y) - half;
-  grid.width = static_cast<std::size_t>(kVoxels * (high_x - low_x + 1));
-  grid.height = static_cast<std::size_t>(kVoxels * (high_y - low_y + 1));
+  const int width = kVoxels * (high_x - low_x + 1);
+  const int height = kVoxels * (high_y - low_y + 1);
+  grid.width = static_cast<std::size_t>(width);
+  grid.height = static_cast<std::size_t>(height);
   grid.cells.assign(grid.width * grid.height, -1);
   for (const auto& [place, columns] : columns_) {
-    const auto x = static_cast<std::size_t>(kVoxels * (place.first - low_x));
-    const auto y = static_cast<std::size_t>(kVoxels * (place.second - low_y));
+    const int corner_x = kVoxels * (place.first - low_x);
+    const int corner_y = kVoxels * (place.second - low_y);
+    const auto x = static_cast<std::size_t>(corner_x);
+    const auto y = static_cast<std::size_t>(corner_y);
     for (std::size_t i = 0; i < 64; ++i) {
       grid.cells[(y + i / 8) * grid.width + x + i % 8] =
           cell_value((columns.known >> i & 1) != 0, (columns.occupied >> i & 1) != 0);
