@@ -28,17 +28,15 @@ struct InverseSensorModel {
 /// The laser's inverse sensor model.
 struct LaserModel : InverseSensorModel {
   BeamModel beam_model = BeamModel::sector;
-  double margin = 0.02;
-
-  LaserModel() { p_free = 0.3; }
+  double margin = 0.05;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     InverseSensorModel::describe(self, visit);
     visit("beam_model", self.beam_model, "what is free: sectors of one angular step, or thin rays");
     visit("margin", self.margin,
-          "half depth d of the region about an echo that is taken as occupied [m]; "
-          "the echo's cell always is",
+          "half depth d of what is taken as occupied along neighbouring echoes [m]; "
+          "an echo's cell always is",
           at_least(0.0));
   }
 };
