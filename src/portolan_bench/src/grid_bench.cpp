@@ -20,6 +20,9 @@ using MakeDrawer = std::function<Drawer(const Workload&)>;
 
 std::map<std::string, MakeDrawer> peers() {
   std::map<std::string, MakeDrawer> peers = {{"bresenham", &bresenham_grid}};
+  peers["ours_with_margin"] = [](const Workload& load) {
+    return our_grid(load, Margin::by_default);
+  };
 #ifdef PORTOLAN_BENCH_HAS_MRPT
   peers["mrpt_rays"] = [](const Workload& load) { return mrpt_grid(load, false); };
   peers["mrpt_widening"] = [](const Workload& load) { return mrpt_grid(load, true); };
@@ -31,7 +34,7 @@ std::map<std::string, MakeDrawer> peers() {
 double cells_per_scan(const Workload& load) {
   std::size_t cells = 0;
   for (const Workload::PosedScan& posed : load.scans) {
-    GridMapper map(our_options(load.max_range));
+    GridMapper map(our_options(load.max_range, Margin::none));
     map.insert(posed.scan, posed.T_map_sensor);
     for (std::int8_t p : map.occupancy(map.bounds())) cells += p >= 0 ? 1 : 0;
   }
@@ -47,7 +50,7 @@ void report(benchmark::State& state, const Pairs& pairs, double count, double ce
 
 void draw_scans(benchmark::State& state, const Workload& load, const MakeDrawer& make_peer) {
   Drawer peer = make_peer(load);
-  Drawer ours = our_grid(load);
+  Drawer ours = our_grid(load, Margin::none);
   const auto pass = [&load](Drawer& drawer) {
     for (std::size_t i = 0; i < load.scans.size(); ++i) drawer.scan(i);
   };
@@ -66,7 +69,7 @@ void draw_echoes(benchmark::State& state, double range) {
   const Workload none{"none", 5.0, {}};
   const RangeEcho echo{range, 0.02, 10.0, M_PI / 6.0};
   Drawer peer = mrpt_grid(none, false);
-  Drawer ours = our_grid(none);
+  Drawer ours = our_grid(none, Margin::none);
   const auto pass = [&echo](Drawer& drawer) {
     for (int i = 0; i < kPings; ++i) drawer.echo(echo);
   };
@@ -76,7 +79,7 @@ void draw_echoes(benchmark::State& state, double range) {
   for (auto _ : state) {
     state.SetIterationTime(pairs.run([&] { pass(peer); }, [&] { pass(ours); }));
   }
-  GridMapper one(our_options(5.0));
+  GridMapper one(our_options(5.0, Margin::none));
   one.insert(echo, Pose::Identity());
   int cells = 0;
   for (std::int8_t p : one.occupancy(one.bounds())) cells += p >= 0 ? 1 : 0;

@@ -3,15 +3,16 @@
 
 namespace portolan::bench {
 
-GridOptions our_options(double max_range) {
+GridOptions our_options(double max_range, Margin margin) {
   GridOptions options;
+  if (margin == Margin::none) options.laser.margin = 0.0;
   options.laser.max_range = max_range;
   options.sonar.max_range = max_range;
   return options;
 }
 
-Drawer our_grid(const Workload& workload) {
-  auto map = std::make_shared<GridMapper>(our_options(workload.max_range));
+Drawer our_grid(const Workload& workload, Margin margin) {
+  auto map = std::make_shared<GridMapper>(our_options(workload.max_range, margin));
   auto scans = std::make_shared<std::vector<GridMapper::Observation>>();
   for (const Workload::PosedScan& posed : workload.scans) scans->emplace_back(posed.scan);
   Drawer drawer;

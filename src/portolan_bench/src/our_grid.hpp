@@ -5,10 +5,13 @@
 
 namespace portolan::bench {
 
+/// Whether walls are given a depth, as they are by default, or none, as the peers do it.
+enum class Margin { none, by_default };
+
 /// GridMapper with its default options, but the workload's usable range.
-Drawer our_grid(const Workload& workload);
+Drawer our_grid(const Workload& workload, Margin margin);
 
 /// The options of that.
-GridOptions our_options(double max_range);
+GridOptions our_options(double max_range, Margin margin);
 
 }  // namespace portolan::bench

@@ -16,7 +16,7 @@ constexpr int kScans = 10000;
 /// A correction after 10,000 scans: the whole map drawn anew, beside inserting the same scans.
 void rebuild_map(benchmark::State& state) {
   const Workload load = rooms(360, 2.0 * M_PI, 10.0);
-  const GridOptions options = our_options(load.max_range);
+  const GridOptions options = our_options(load.max_range, Margin::by_default);
   Remapper<GridMapper> remapper(RemapperOptions{}, options);
   std::vector<GridMapper::Observation> scans;
   for (int i = 0; i < kScans; ++i) {
