@@ -105,8 +105,9 @@ void PosedInput::receive_tf(const tf2_msgs::TFMessage& message, bool is_static, 
 void PosedInput::take_back_doubt(const geometry_msgs::TransformStamped& confirming) {
   const auto held = doubtful_.find(ros_convert::without_slash(confirming.child_frame_id));
   if (held == doubtful_.end()) return;
-  const double apart = (confirming.header.stamp - held->second.header.stamp).toSec();
-  const bool confirmed = std::abs(apart) <= options_.tf_buffer;
+  const Duration apart =
+      ros_convert::time(confirming.header.stamp) - ros_convert::time(held->second.header.stamp);
+  const bool confirmed = std::abs(to_seconds(apart)) <= options_.tf_buffer;
   if (confirmed && tf_.setTransform(normalized(held->second), kAuthority)) --bad_transforms_;
   doubtful_.erase(held);
 }
@@ -150,6 +151,7 @@ void PosedInput::clear() {
   waiting_.clear();
   seen_.clear();
   leap_guards_.clear();
+  doubtful_.clear();
 }
 
 bool PosedInput::is_repeated(std::size_t input, const Message& message) {
@@ -188,7 +190,9 @@ bool PosedInput::is_timely(const geometry_msgs::TransformStamped& transform, Tim
   if (verdict == StampVerdict::doubtful) doubtful_[child] = transform;
   if (verdict == StampVerdict::ran_back) {
     tf_ran_back_ = true;
+    auto doubtful = std::move(doubtful_);
     clear();  // tf2 would refuse the new transforms for being older than its memory
+    doubtful_ = std::move(doubtful);
   }
   return verdict != StampVerdict::doubtful;
 }

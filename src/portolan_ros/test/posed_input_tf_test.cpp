@@ -176,6 +176,17 @@ TEST_F(PosedInputTf, BeginsAnewWhereStampsRanBackByMoreThanIsRemembered) {
   EXPECT_EQ(names(), "a");
 }
 
+TEST_F(PosedInputTf, LosesNothingWhereTfPausesForLongerThanIsRemembered) {
+  odometry(20.0);
+  scan("a", 95.0);
+  odometry(95.0);  // it may be a lone wild stamp
+  EXPECT_EQ(names(), "");
+  odometry(96.0);  // no: tf had paused
+  EXPECT_EQ(names(), "a");
+  EXPECT_TRUE(used[0].pose.T_odom_sensor.isApprox(T_odom_base(95.0) * T_base_laser()));
+  EXPECT_EQ(input.bad_transforms(), 0u);
+}
+
 TEST_F(PosedInputTf, DoesNotMindStampsThatRunBackALittle) {
   odometry(99.0);
   odometry(98.0);
