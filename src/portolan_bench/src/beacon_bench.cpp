@@ -97,13 +97,13 @@ std::vector<BeaconWorkload> real_logs() { return {}; }
 #endif
 
 const std::vector<BeaconWorkload>& beacon_workloads() {
-  static const std::vector<BeaconWorkload> all = [] {
+  static const std::vector<BeaconWorkload> kAll = [] {
     std::vector<BeaconWorkload> loads = real_logs();
     loads.push_back(straight_drive(0.1));
     loads.push_back(loop_drive(0.1));
     return loads;
   }();
-  return all;
+  return kAll;
 }
 
 const bool kBeaconsRegistered = [] {

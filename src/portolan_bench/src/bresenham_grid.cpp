@@ -45,7 +45,8 @@ class BresenhamGrid {
   }
 
   void add(int x, int y, int step) {
-    std::int8_t& cell = cells_[static_cast<std::size_t>(y * width_ + x)];
+    std::int8_t& cell = cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                               static_cast<std::size_t>(x)];
     cell = static_cast<std::int8_t>(std::clamp(cell + step, -78, 78));
   }
 

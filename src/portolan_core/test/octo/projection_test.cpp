@@ -25,7 +25,8 @@ void expect_same(const OctoMapper& map, const HeightBand& band, const Projection
   std::size_t known = 0;
   for (std::size_t i = 0; i < grid.cells.size(); ++i) {
     const double x = grid.x + grid.resolution * (static_cast<double>(i % grid.width) + 0.5);
-    const double y = grid.y + grid.resolution * (static_cast<double>(i / grid.width) + 0.5);
+    const std::size_t row = i / grid.width;
+    const double y = grid.y + grid.resolution * (static_cast<double>(row) + 0.5);
     ASSERT_EQ(grid.cells[i], column(map, band, static_cast<float>(x), static_cast<float>(y)))
         << x << " " << y;
     known += grid.cells[i] >= 0 ? 1 : 0;

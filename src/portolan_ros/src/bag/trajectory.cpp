@@ -24,7 +24,7 @@ std::string tum_line(Time stamp, const Pose& pose) {
 
 }  // namespace
 
-Trajectory::Trajectory(std::string odom_frame, std::string base_frame)
+Trajectory::Trajectory(const std::string& odom_frame, const std::string& base_frame)
     : odom_frame_(ros_convert::without_slash(odom_frame)),
       base_frame_(ros_convert::without_slash(base_frame)) {}
 

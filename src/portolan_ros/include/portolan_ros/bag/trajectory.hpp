@@ -17,7 +17,7 @@ namespace portolan {
 /// The robot's way through odometry, to be written out corrected.
 class Trajectory {
  public:
-  Trajectory(std::string odom_frame, std::string base_frame);
+  Trajectory(const std::string& odom_frame, const std::string& base_frame);
 
   /// Keeps what a message says of base_frame in odom_frame; the first word on a stamp counts.
   void receive_tf(const tf2_msgs::TFMessage& message);
