@@ -12,13 +12,13 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-YAML::Node list(XmlRpcValue value) {
+YAML::Node list(XmlRpcValue& value) {
   YAML::Node node(YAML::NodeType::Sequence);
   for (int i = 0; i < value.size(); ++i) node.push_back(to_yaml(value[i]));
   return node;
 }
 
-YAML::Node map(XmlRpcValue value) {
+YAML::Node map(XmlRpcValue& value) {
   YAML::Node node(YAML::NodeType::Map);
   for (auto& entry : value) node[entry.first] = to_yaml(entry.second);
   return node;

@@ -15,16 +15,17 @@ using namespace std::chrono_literals;
 
 class Worlds : public ::testing::TestWithParam<std::string> {
  protected:
-  WorldOptions world_ = read_world(std::string(PORTOLAN_WORLDS) + "/" + GetParam() + ".yaml");
-  bool small_ = GetParam() == "box";
+  WorldOptions world_options =
+      read_world(std::string(PORTOLAN_WORLDS) + "/" + GetParam() + ".yaml");
+  bool is_small = GetParam() == "box";
 };
 
 TEST_P(Worlds, TheTourIsDrivenToItsEndWithRoomToSpare) {
   SimulationOptions options;
-  options.world = world_;
+  options.world = world_options;
   options.lasers.clear();
   options.sonar_rings.clear();
-  options.robot.radius = small_ ? 0.1 : 0.2;
+  options.robot.radius = is_small ? 0.1 : 0.2;
   Simulation simulation(options);
   double nearest = 1.0;
   while (!simulation.path_finished() && simulation.now() < Time{1000s}) {
@@ -38,13 +39,14 @@ TEST_P(Worlds, TheTourIsDrivenToItsEndWithRoomToSpare) {
 }
 
 TEST_P(Worlds, EveryLandmarkIsSeenFromTheTour) {
-  const World world(world_);
+  const World world(world_options);
   for (const auto& [id, p_map] : world.landmarks()) {
     EXPECT_GT(world.clearance(p_map.head<2>(), 1.0, p_map.z() - 0.01, p_map.z() + 0.01), 0.01);
     const Eigen::Vector3d& landmark = p_map;
-    const bool seen = std::any_of(world_.tour.begin(), world_.tour.end(), [&](const auto& point) {
-      return world.sees({point[0], point[1], 0.5}, landmark);
-    });
+    const bool seen =
+        std::any_of(world_options.tour.begin(), world_options.tour.end(), [&](const auto& point) {
+          return world.sees({point[0], point[1], 0.5}, landmark);
+        });
     EXPECT_TRUE(seen) << "landmark " << id;
   }
 }

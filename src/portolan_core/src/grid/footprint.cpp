@@ -40,7 +40,7 @@ bool Footprint::open(Anchor anchor, FinePoint min, FinePoint max) {
   rows_ = (((covered_.max.y - 1) >> 6) - tile_.y + 1) * kSide;
   first_row_ = covered_.min.y - tile_.y * kSide;
   end_row_ = covered_.max.y - tile_.y * kSide;
-  const auto words = static_cast<std::size_t>(strips_) * rows_;
+  const auto words = static_cast<std::size_t>(strips_) * static_cast<std::size_t>(rows_);
   for (std::vector<Word>* plane : {&toggled_, &struck_, &free_, &occupied_}) {
     if (plane->size() < words) plane->resize(words);
   }
@@ -179,7 +179,8 @@ bool Footprint::take_bits(int strip, int band) {
   const std::size_t tile = tile_at(strip * kSide, band * kSide);
   const bool has_free = carries_ || is_toggled_[tile] || is_free_[tile];
   if (!has_free && !struck_carries_ && !is_struck_[tile] && !is_occupied_[tile]) return false;
-  const std::size_t first = static_cast<std::size_t>(strip) * rows_ + band * kSide;
+  const std::size_t first =
+      std::size_t(strip) * std::size_t(rows_) + std::size_t(band) * std::size_t(kSide);
   for (std::size_t i = band_begin_; i < band_end_; ++i) {
     freed_[i] = carry_[i];
     hit_[i] = struck_carry_[i];

@@ -29,7 +29,7 @@ class MapperNode {
       : handle_(handle), private_handle_(private_handle) {
     subscribe_to_poses();
     Kind::inputs([this](const std::string& name, const std::string& noun, auto convert) {
-      subscribe_to_input(name, noun, convert);
+      this->subscribe_to_input(name, noun, convert);
     });
     diagnostics_.setHardwareID("none");
     diagnostics_.add("mapping", [this](auto& status) { diagnosis_.fill(status); });

@@ -12,7 +12,7 @@
 namespace portolan {
 
 /// The same tree as YAML, so that one reader serves files and the parameter server.
-YAML::Node to_yaml(const XmlRpc::XmlRpcValue& value);
+YAML::Node to_yaml(const XmlRpc::XmlRpcValue& constant);
 
 /// All parameters below this handle's namespace, as YAML; empty where there are none.
 YAML::Node parameters(const ros::NodeHandle& handle);

@@ -47,7 +47,7 @@ PointCloud2 message_of(const std::vector<std::vector<Eigen::Vector3d>>& rows,
   message.is_bigendian = layout.is_bigendian;
   message.data.assign(std::size_t{message.row_step} * message.height, 0x7f);
   const char* const names[] = {"x", "y", "z"};
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     PointField field;
     field.name = names[i];
     field.offset = layout.offsets[i];
@@ -59,7 +59,7 @@ PointCloud2 message_of(const std::vector<std::vector<Eigen::Vector3d>>& rows,
     for (std::size_t column = 0; column < rows[row].size(); ++column) {
       std::uint8_t* point =
           message.data.data() + row * message.row_step + column * layout.point_step;
-      for (int i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i) {
         const double value = rows[row][column][i];
         if (layout.datatype == PointField::FLOAT64) {
           put(point + layout.offsets[i], value, layout.is_bigendian);

@@ -94,10 +94,10 @@ class Footprint {
 
   FinePoint in_window(FinePoint p) const { return {p.x + shift_.x, p.y + shift_.y}; }
   Word& word(std::vector<Word>& plane, int column, int row) {
-    return plane[static_cast<std::size_t>(column >> 6) * rows_ + row];
+    return plane[std::size_t(column >> 6) * std::size_t(rows_) + std::size_t(row)];
   }
   std::size_t tile_at(int column, int row) const {
-    return static_cast<std::size_t>(column >> 6) * (rows_ >> 6) + (row >> 6);
+    return std::size_t(column >> 6) * std::size_t(rows_ >> 6) + std::size_t(row >> 6);
   }
   template <class Visit>
   void walk(FinePoint a, FinePoint b, Visit visit) {

@@ -18,7 +18,7 @@ auto numeric_jacobian(const Function& f, const Vector& x, const Difference& diff
                       double step = 1e-6) {
   using Input = typename Vector::PlainObject;
   using Output = typename std::decay_t<decltype(f(std::declval<const Input&>()))>::PlainObject;
-  const Input center(x);
+  const Input& center = x;
   const Output value = f(center);
   Eigen::Matrix<double, Output::RowsAtCompileTime, Input::RowsAtCompileTime> jacobian(
       value.size(), center.size());

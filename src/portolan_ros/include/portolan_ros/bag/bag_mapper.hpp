@@ -72,7 +72,7 @@ template <class Kind>
 BagMapper<Kind>::BagMapper(const MapperNodeOptions<Kind>& options) : options_(checked(options)) {
   add_poses();
   Kind::inputs([this](const std::string& name, const std::string& noun, auto convert) {
-    add_input(name, noun, convert);
+    this->add_input(name, noun, convert);
   });
 }
 
