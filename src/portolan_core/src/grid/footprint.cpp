@@ -10,8 +10,6 @@ namespace portolan {
 
 namespace {
 
-constexpr int kFineLog2 = Footprint::kFineLog2;
-constexpr int kFine = Footprint::kFine;
 constexpr int kSide = TileMap::kSide;
 constexpr int kMaxSide = 8500;  // of a window [cell]: keeps the walks exact
 

@@ -60,7 +60,7 @@ PointCloud2 message_of(const std::vector<std::vector<Eigen::Vector3d>>& rows,
       std::uint8_t* point =
           message.data.data() + row * message.row_step + column * layout.point_step;
       for (std::size_t i = 0; i < 3; ++i) {
-        const double value = rows[row][column][i];
+        const double value = rows[row][column][static_cast<Eigen::Index>(i)];
         if (layout.datatype == PointField::FLOAT64) {
           put(point + layout.offsets[i], value, layout.is_bigendian);
         } else {
