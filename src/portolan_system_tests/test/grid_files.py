@@ -230,10 +230,12 @@ class GridFiles(case.NodeCase):
             self.assertTrue(node.call("save").success)
             node.close()
         self.assertNotEqual(whole["square"], whole["barred"])
-        seed, interrupted, left = random.Random(8), 0, set()
-        for attempt in range(40):
+        seed, interrupted, left, longest_delay = random.Random(8), 0, set(), 0.06
+        for attempt in range(60):
             name = ("square", "barred")[attempt % 2]
-            interrupted += self.save_and_kill(name, seed.uniform(0.0, 0.06), shared)
+            came_in_time = self.save_and_kill(name, seed.uniform(0.0, longest_delay), shared)
+            longest_delay *= 1.4 if came_in_time else 0.7  # until it spans a save, however fast the machine
+            interrupted += came_in_time
             left.add(self.name_of_what_was_left(whole, shared))
             if interrupted >= 8 and len(left) == 2:
                 break
