@@ -163,14 +163,10 @@ bool PosedInput::is_repeated(std::size_t input, const Message& message) {
 }
 
 bool PosedInput::try_to_use(Waiting& waiting) {
-  const Message& message = waiting.message;
-  const std::optional<Pose> first = look_up(message.frame, message.first);
-  if (!first) return false;
-  const std::optional<Pose> last =
-      message.last == message.first ? first : look_up(message.frame, message.last);
-  if (!last) return false;
+  const std::optional<SensorPose> pose = pose_of(waiting.message);
+  if (!pose) return false;
   Tally& tally = tallies_[waiting.input];
-  const std::optional<Outcome> outcome = message.use({*first, first->inverse() * *last});
+  const std::optional<Outcome> outcome = waiting.message.use(*pose);
   if (!outcome) {
     tally.drop(Drop::thinned);
   } else if (*outcome == Outcome::inserted) {
@@ -197,28 +193,53 @@ bool PosedInput::is_timely(const geometry_msgs::TransformStamped& transform, Tim
   return verdict != StampVerdict::doubtful;
 }
 
-std::optional<Pose> PosedInput::look_up(const std::string& frame, Time stamp) const {
+std::optional<PosedInput::SensorPose> PosedInput::pose_of(const Message& message) const {
+  const std::string& odom = options_.odom_frame;
+  const std::optional<Pose> first = look_up(odom, message.frame, message.first);
+  if (!first) return std::nullopt;
+  const std::optional<Pose> last =
+      message.last == message.first ? first : look_up(odom, message.frame, message.last);
+  if (!last) return std::nullopt;
+  SensorPose pose{*first, first->inverse() * *last};
+  for (const std::string& reference : message.references) {
+    const std::optional<Pose> there = look_up(reference, message.frame, message.first);
+    if (!there) return std::nullopt;
+    pose.T_reference_sensor.push_back(*there);
+  }
+  return pose;
+}
+
+std::optional<Pose> PosedInput::look_up(const std::string& target, const std::string& frame,
+                                        Time stamp) const {
   const ros::Time time = ros_convert::time(stamp);
   // Asking first is far cheaper than an exception for each message that waits, at each transform.
-  if (!is_frame_name(frame) || !tf_.canTransform(options_.odom_frame, frame, time)) {
-    return std::nullopt;
-  }
+  if (!is_frame_name(frame) || !tf_.canTransform(target, frame, time)) return std::nullopt;
   try {
-    return ros_convert::pose(tf_.lookupTransform(options_.odom_frame, frame, time).transform);
+    return ros_convert::pose(tf_.lookupTransform(target, frame, time).transform);
   } catch (const tf2::TransformException&) {
     return std::nullopt;
   }
 }
 
+std::string PosedInput::missing_target(const Message& message) const {
+  const auto is_missing = [&](const std::string& target) {
+    return !look_up(target, message.frame, message.first) ||
+           !look_up(target, message.frame, message.last);
+  };
+  if (is_missing(options_.odom_frame)) return options_.odom_frame;
+  const auto found = std::find_if(message.references.begin(), message.references.end(), is_missing);
+  return found == message.references.end() ? options_.odom_frame : *found;
+}
+
 std::string PosedInput::why_not(const Message& message) const {
-  const std::string& odom = options_.odom_frame;
-  const std::string arrow = odom + " <- " + message.frame;
   if (!is_frame_name(message.frame)) return "they name no frame";
-  for (const std::string& frame : {odom, message.frame}) {
+  const std::string target = missing_target(message);
+  const std::string arrow = target + " <- " + message.frame;
+  for (const std::string& frame : {target, message.frame}) {
     if (!tf_._frameExists(frame)) return "no transform " + arrow + ": tf knows no frame " + frame;
   }
   try {
-    const ros::Time newest = tf_.lookupTransform(odom, message.frame, ros::Time(0)).header.stamp;
+    const ros::Time newest = tf_.lookupTransform(target, message.frame, ros::Time(0)).header.stamp;
     const double gap = to_seconds(message.last - ros_convert::time(newest));
     return "no transform " + arrow + " at their stamps; newest is " + tenths(std::abs(gap)) +
            (gap >= 0.0 ? " s older" : " s newer");

@@ -30,7 +30,7 @@ class MapKeeper {
     const std::string name = checked_map_name(name_());
     remapper_.finish();
     std::filesystem::create_directories(folder);
-    const FileSet files = Kind::save(remapper_.map(), name, options_.output);
+    const FileSet files = Kind::save(remapper_.map(), name, options_);
     save_files(folder, files);
     std::string names;
     for (const auto& [file, content] : files) names += " " + file;
@@ -40,7 +40,7 @@ class MapKeeper {
   std::string load() {
     const std::filesystem::path folder = folder_of(options_.node.map_directory);
     const std::string name = checked_map_name(name_());
-    remapper_.restart_from(Kind::load(folder, name, options_.mapper));
+    remapper_.restart_from(Kind::load(folder, name, options_));
     return "loaded " + name + " from " + folder.string();
   }
 

@@ -59,7 +59,7 @@ class MapperNode {
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
   MapperNodeOptions<Kind> options_ = read(private_handle_);
-  Pipeline<Kind> pipeline_{options_.pipeline, options_.mapper};
+  Pipeline<Kind> pipeline_{options_.pipeline, options_.mapper, options_.filter};
   typename Kind::Outputs outputs_{handle_, options_.output, options_.node.map_frame,
                                   pipeline_.remapper()};
   PipelineDiagnosis<Kind> diagnosis_{pipeline_};
@@ -69,6 +69,7 @@ class MapperNode {
   MapServices services_{private_handle_,
                         {[this] { return keeper_.save(); }, [this] { return keeper_.load(); },
                          [this] { return keeper_.reset(); }}};
+  ServicesOf<Kind> more_services_{private_handle_, pipeline_.remapper()};
 
   static constexpr double kRedrawPeriod = 0.05;  // [s]
   // Wall timers: simulated time may stand still, or run back.

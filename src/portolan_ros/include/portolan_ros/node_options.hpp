@@ -8,6 +8,7 @@
 
 #include "portolan/options.hpp"
 #include "portolan/remapper.hpp"
+#include "portolan_ros/kinds/kind_parts.hpp"
 #include "portolan_ros/posed_input.hpp"
 
 namespace portolan {
@@ -89,6 +90,7 @@ struct MapperNodeOptions {
   NodeOptions node;
   PipelineOptions pipeline;
   TopicOptions topics = default_topics<Kind>();
+  typename FilterOf<Kind>::Options filter;
   typename Kind::OutputOptions output;
   typename Kind::Mapper::Options mapper;
 
@@ -97,6 +99,7 @@ struct MapperNodeOptions {
     NodeOptions::describe(self.node, visit);
     PipelineOptions::describe(self.pipeline, visit);
     TopicOptions::describe(self.topics, visit);
+    FilterOf<Kind>::Options::describe(self.filter, visit);
     Kind::OutputOptions::describe(self.output, visit);
     Kind::Mapper::Options::describe(self.mapper, visit);
   }

@@ -23,8 +23,12 @@ class Pipeline {
   using Observation = typename Mapper::Observation;
 
   /// Throws OptionsError.
-  Pipeline(const PipelineOptions& options, const typename Mapper::Options& mapper_options)
-      : options_(options), posed_(options.posing), remapper_(options.remapper, mapper_options) {}
+  Pipeline(const PipelineOptions& options, const typename Mapper::Options& mapper_options,
+           const typename FilterOf<Kind>::Options& filter_options = {})
+      : options_(options),
+        filter_(filter_options, options, mapper_options),
+        posed_(options.posing),
+        remapper_(options.remapper, mapper_options) {}
   Pipeline(const Pipeline&) = delete;  // messages that wait call back into this object
   Pipeline& operator=(const Pipeline&) = delete;
 
@@ -84,6 +88,7 @@ class Pipeline {
   }
 
   PipelineOptions options_;
+  FilterOf<Kind> filter_;
   PosedInput posed_;
   Remapper<Mapper> remapper_;
   ClockGuard clock_{seconds(0.1)};
@@ -107,13 +112,14 @@ void Pipeline<Kind>::receive(std::size_t input, std::optional<Sensed<SensorReadi
   poll(now);
   if (!sensed) return posed_.receive_malformed(input);
   const SensorId sensor = sensor_id(input, ros_convert::without_slash(sensed->frame));
-  PosedInput::Message message{sensed->frame, sensed->first, sensed->last, {}};
+  PosedInput::Message message{sensed->frame, sensed->first, sensed->last, {}, {}};
+  message.references = filter_.references(sensed->z);
   message.use = [this, sensor, stamp = sensed->first,
                  z = std::move(sensed->z)](const PosedInput::SensorPose& pose) mutable {
     if constexpr (pipeline_detail::HasMotion<SensorReading>::value) {
       z.T_first_last = pose.T_first_last;
     }
-    return remapper_.observe(stamp, pose.T_odom_sensor, Observation(std::move(z)), sensor);
+    return remapper_.observe(stamp, pose.T_odom_sensor, filter_(std::move(z), pose), sensor);
   };
   posed_.receive(input, std::move(message), now);
 }

@@ -56,6 +56,7 @@ class PosedInput {
   struct SensorPose {
     Pose T_odom_sensor;
     Pose T_first_last;
+    std::vector<Pose> T_reference_sensor = {};  ///< at the begin, for each of the references
   };
   /// Called with the pose once it is known. None: thinned.
   using Use = std::function<std::optional<Outcome>(const SensorPose&)>;
@@ -65,6 +66,7 @@ class PosedInput {
     Time first;
     Time last;
     Use use;
+    std::vector<std::string> references = {};  ///< further frames that it has to be posed in
   };
 
   explicit PosedInput(const PosedInputOptions& options);
@@ -111,7 +113,10 @@ class PosedInput {
   void take_back_doubt(const geometry_msgs::TransformStamped& confirming);
   bool is_repeated(std::size_t input, const Message& message);
   bool try_to_use(Waiting& waiting);
-  std::optional<Pose> look_up(const std::string& frame, Time stamp) const;
+  std::optional<SensorPose> pose_of(const Message& message) const;
+  std::optional<Pose> look_up(const std::string& target, const std::string& frame,
+                              Time stamp) const;
+  std::string missing_target(const Message& message) const;
   std::string why_not(const Message& message) const;
   void make_room();
 

@@ -66,17 +66,17 @@ std::string picture_of(const GridMapper& map, GridSheet sheet,
 }  // namespace
 
 FileSet GridKind::save(const GridMapper& map, const std::string& name,
-                       const GridOutputOptions& options) {
+                       const MapperNodeOptions<GridKind>& options) {
   const CellRect rect = map.bounds();
-  if (static_cast<double>(rect.width()) * rect.height() > options.max_cells) {
+  if (static_cast<double>(rect.width()) * rect.height() > options.output.max_cells) {
     throw std::runtime_error("the map is too large to save; see max_cells");
   }
-  return map_files(map, options.file_mode, name);
+  return map_files(map, options.output.file_mode, name);
 }
 
 GridMapper GridKind::load(const std::filesystem::path& folder, const std::string& name,
-                          const GridMapper::Options& options) {
-  return load_map(folder, name, options);
+                          const MapperNodeOptions<GridKind>& options) {
+  return load_map(folder, name, options.mapper);
 }
 
 FileSet GridKind::pictures(const GridMapper& map, const std::string& name,

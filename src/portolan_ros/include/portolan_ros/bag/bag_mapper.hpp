@@ -60,7 +60,7 @@ class BagMapper {
   }
 
   MapperNodeOptions<Kind> options_;
-  Pipeline<Kind> pipeline_{options_.pipeline, options_.mapper};
+  Pipeline<Kind> pipeline_{options_.pipeline, options_.mapper, options_.filter};
   Trajectory trajectory_{options_.pipeline.posing.odom_frame, options_.pipeline.base_frame};
   std::map<std::string, std::vector<Handler>> handlers_;  // by topic without its slash
   std::set<std::string> input_topics_;
@@ -130,7 +130,7 @@ void BagMapper<Kind>::finish() {
 template <class Kind>
 FileSet BagMapper<Kind>::files() const {
   const Remapper<typename Kind::Mapper>& remapper = pipeline_.remapper();
-  FileSet files = Kind::save(remapper.map(), Kind::kFileName, options_.output);
+  FileSet files = Kind::save(remapper.map(), Kind::kFileName, options_);
   files.merge(
       Kind::pictures(remapper.map(), Kind::kFileName, trajectory_.in_map(remapper.correction())));
   if (!trajectory_.empty()) files["trajectory.tum"] = trajectory_.tum(remapper.correction());

@@ -10,6 +10,7 @@
 #include "portolan_ros/convert/point_cloud.hpp"
 #include "portolan_ros/convert/ranges.hpp"
 #include "portolan_ros/kinds/grid_outputs.hpp"
+#include "portolan_ros/node_options.hpp"
 
 namespace portolan {
 
@@ -32,11 +33,11 @@ struct GridKind {
 
   /// The files of the fused map and of each layer. Throws std::runtime_error for over `max_cells`.
   static FileSet save(const GridMapper& map, const std::string& name,
-                      const GridOutputOptions& options);
+                      const MapperNodeOptions<GridKind>& options);
 
   /// Throws std::runtime_error with path and reason.
   static GridMapper load(const std::filesystem::path& folder, const std::string& name,
-                         const GridMapper::Options& options);
+                         const MapperNodeOptions<GridKind>& options);
 
   /// A PNG of the fused map and of each layer, with the robot's way in it.
   static FileSet pictures(const GridMapper& map, const std::string& name,
