@@ -11,7 +11,7 @@ import rostest
 
 from portolan_testing.grid import GridListener, files_of
 from portolan_testing.node import Node
-from portolan_testing.robot import Robot
+from portolan_testing.robot import Robot, heard_by
 
 
 class NodeCase(unittest.TestCase):
@@ -41,11 +41,11 @@ class NodeCase(unittest.TestCase):
     def robot(self, namespace=None, **more):
         return self.closing(Robot(namespace or self.namespace, **more))
 
-    def pair(self, namespace=None, **more):
+    def pair(self, namespace=None, program="occupancy_grid", **more):
         """A node, and a robot that it hears."""
         namespace = namespace or self.namespace
-        robot, node = self.robot(namespace), self.node(namespace, **more)
-        robot.wait_until_heard()
+        robot, node = self.robot(namespace), self.node(namespace, program=program, **more)
+        robot.wait_until_heard(heard_by(program))
         return robot, node
 
     def listener(self, topic="map", namespace=None):

@@ -15,7 +15,8 @@ from portolan_testing.room import RESOLUTION
 from portolan_testing.waiting import eventually
 
 # Transforms may take their time on a busy machine; maps are small.
-DEFAULTS = {"resolution": RESOLUTION, "tf_wait": 30.0, "publish_interval": 0.05}
+DEFAULTS = {"tf_wait": 30.0, "publish_interval": 0.05}
+PROGRAM_DEFAULTS = {"occupancy_grid": {"resolution": RESOLUTION}}
 
 
 def executable(name, package="portolan_ros"):
@@ -42,21 +43,22 @@ class Tally:
 
 
 class Node:
-    """The occupancy grid node; topics of tf and clock are those of its namespace unless `remap` says otherwise."""
+    """A mapper's node; topics of tf and clock are those of its namespace unless `remap` says otherwise."""
 
-    def __init__(self, namespace, parameters=None, remap=None, preexec=None, until_ready=True):
+    def __init__(self, namespace, program="occupancy_grid", parameters=None, remap=None, preexec=None,
+                 until_ready=True):
         self.namespace = namespace
-        self.name = namespace + "/occupancy_grid"
+        self.name = f"{namespace}/{program}"
         if rospy.has_param(self.name):
             rospy.delete_param(self.name)
-        rospy.set_param(self.name, {**DEFAULTS, **(parameters or {})})
+        rospy.set_param(self.name, {**DEFAULTS, **PROGRAM_DEFAULTS.get(program, {}), **(parameters or {})})
         names = {f"/{topic}": f"{namespace}/{topic}" for topic in ("tf", "tf_static", "clock")}
         names.update(remap or {})
         self._errors = tempfile.TemporaryFile()
         self._status = None
         self._diagnostics = rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics)
         self.process = subprocess.Popen(
-            [executable("occupancy_grid"), f"__ns:={namespace}", "__name:=occupancy_grid"]
+            [executable(program), f"__ns:={namespace}", f"__name:={program}"]
             + [f"{old}:={new}" for old, new in names.items()],
             stdout=subprocess.DEVNULL, stderr=self._errors, preexec_fn=preexec)
         if until_ready:
@@ -92,7 +94,7 @@ class Node:
         return rospy.ServiceProxy(f"{self.name}/{service}", Trigger)()
 
     def map(self, service="dynamic_map"):
-        """The whole map, as the service gives it."""
+        """The whole grid, as the service gives it."""
         return Grid(rospy.ServiceProxy(f"{self.namespace}/{service}", GetMap)().map)
 
     def sentence(self):

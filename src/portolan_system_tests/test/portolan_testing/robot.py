@@ -4,9 +4,9 @@ import math
 
 import rospy
 from nav_msgs.msg import Odometry
-from portolan_msgs.msg import DriftCorrection
+from portolan_msgs.msg import BeaconRanges, DriftCorrection, ImageFeatures, LandmarkSightings
 from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import LaserScan, PointCloud2, Range
+from sensor_msgs.msg import CameraInfo, LaserScan, PointCloud2, Range
 from tf2_msgs.msg import TFMessage
 
 from portolan_testing import messages
@@ -15,7 +15,16 @@ from portolan_testing.waiting import eventually
 SONARS = 12
 SONAR_YAWS = [2.0 * math.pi * i / SONARS for i in range(SONARS)]
 
-TOPICS = {"tf": TFMessage, "tf_static": TFMessage, "scan": LaserScan, "sonar": Range, "cloud_in": PointCloud2}
+TOPICS = {"tf": TFMessage, "tf_static": TFMessage, "scan": LaserScan, "sonar": Range, "cloud_in": PointCloud2,
+          "landmark_sightings": LandmarkSightings, "image_features": ImageFeatures, "camera_info": CameraInfo,
+          "beacon_ranges": BeaconRanges}
+SENSORS = {"occupancy_grid": ("scan", "sonar", "cloud_in"), "octomap": ("cloud_in", "scan"),
+           "landmarks": ("landmark_sightings", "image_features", "camera_info"), "beacons": ("beacon_ranges",)}
+
+
+def heard_by(program):
+    """The topics to which this node listens by default."""
+    return ("tf", "tf_static", *SENSORS[program])
 
 
 def mounts(prefix=""):
@@ -53,7 +62,7 @@ class Robot:
     def _publisher(self, topic, type_, latch=False):
         return rospy.Publisher(rospy.names.ns_join(self.namespace, topic), type_, queue_size=1000, latch=latch)
 
-    def wait_until_heard(self, topics=tuple(TOPICS), listeners=1):
+    def wait_until_heard(self, topics=heard_by("occupancy_grid"), listeners=1):
         eventually(lambda: all(self._publishers[t].get_num_connections() >= listeners for t in topics),
                    f"a node listens to {topics} of {self.namespace}")
 
