@@ -98,6 +98,8 @@ class GridParameters(case.NodeCase):
         for robot in robots:
             robot.wait_until_heard(("tf", "tf_static"), listeners=2)
             robot.wait_until_heard(("scan", "sonar"))
+        for robot in robots:
+            robot.mount()  # again: on a shared topic only the last mounts are latched
         for robot, half_side in zip(robots, (2.05, 1.05)):
             robot.look_around(Room(half_side), STAMPS)
         for robot, node in zip(robots, nodes):

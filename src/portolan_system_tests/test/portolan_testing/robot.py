@@ -57,7 +57,11 @@ class Robot:
         self._publishers["drift_correction"] = self._publisher("drift_correction", DriftCorrection, True)
         self._publishers["clock"] = self._publisher("clock", Clock, True)
         self._publishers["odom"] = self._publisher("odom", Odometry)
-        self.send("tf_static", mounts(prefix))
+        self.mount()
+
+    def mount(self):
+        """Says where the sensors sit."""
+        self.send("tf_static", mounts(self.prefix))
 
     def _publisher(self, topic, type_, latch=False):
         return rospy.Publisher(rospy.names.ns_join(self.namespace, topic), type_, queue_size=1000, latch=latch)
