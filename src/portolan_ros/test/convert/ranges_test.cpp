@@ -71,13 +71,21 @@ TEST(RangeScanMessage, MayTurnClockwiseAndHaveEqualLimits) {
   EXPECT_TRUE(range_scan(message));
 }
 
+TEST(RangeScanMessage, MayHaveNoUpperLimit) {
+  sensor_msgs::LaserScan message = scan_message();
+  message.range_max = kInf;
+  const auto sensed = range_scan(message);
+  ASSERT_TRUE(sensed);
+  EXPECT_EQ(sensed->z.range_max, std::numeric_limits<float>::max());
+}
+
 TEST(RangeScanMessage, ThatIsMalformedIsNone) {
   using Message = sensor_msgs::LaserScan;
   const std::vector<std::function<void(Message&)>> spoil = {
       [](Message& m) { m.ranges.clear(); },         [](Message& m) { m.angle_increment = 0.0F; },
       [](Message& m) { m.angle_increment = kNaN; }, [](Message& m) { m.angle_min = kInf; },
       [](Message& m) { m.range_min = 9.0F; },       [](Message& m) { m.range_min = kNaN; },
-      [](Message& m) { m.range_min = -1.0F; },      [](Message& m) { m.range_max = kInf; },
+      [](Message& m) { m.range_min = -1.0F; },      [](Message& m) { m.range_max = -kInf; },
       [](Message& m) { m.range_max = kNaN; },       [](Message& m) { m.time_increment = -0.01F; },
       [](Message& m) { m.time_increment = 2.6F; },  [](Message& m) { m.time_increment = kNaN; },
       [](Message& m) { m.time_increment = kInf; },  [](Message& m) { m.time_increment = 3e38F; },
@@ -115,13 +123,19 @@ TEST(RangeMessage, OfAFixedDistanceRangerIsUsable) {
   EXPECT_TRUE(range_echo(message));
 }
 
+TEST(RangeMessage, MayHaveNoUpperLimit) {
+  sensor_msgs::Range message = range_message();
+  message.max_range = kInf;
+  ASSERT_TRUE(range_echo(message));
+}
+
 TEST(RangeMessage, ThatIsMalformedIsNone) {
   using Message = sensor_msgs::Range;
   const std::vector<std::function<void(Message&)>> spoil = {
       [](Message& m) { m.field_of_view = 0.0F; }, [](Message& m) { m.field_of_view = kNaN; },
       [](Message& m) { m.field_of_view = 7.0F; }, [](Message& m) { m.min_range = 5.0F; },
       [](Message& m) { m.min_range = -1.0F; },    [](Message& m) { m.min_range = kNaN; },
-      [](Message& m) { m.max_range = kInf; },     [](Message& m) { m.max_range = kNaN; },
+      [](Message& m) { m.max_range = -kInf; },    [](Message& m) { m.max_range = kNaN; },
   };
   for (std::size_t i = 0; i < spoil.size(); ++i) {
     Message message = range_message();
