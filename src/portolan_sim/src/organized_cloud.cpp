@@ -6,7 +6,12 @@
 
 namespace portolan::sim {
 
-void append(OrganizedCloud& organized, const Eigen::Vector3d& direction, double range) {
+void measure_next(const Eigen::Vector3d& direction, const World& world, const Pose& T_map_sensor,
+                  const RangeNoise& noise, Random& random, OrganizedCloud& organized) {
+  const Ray ray{T_map_sensor.translation(), T_map_sensor.linear() * direction};
+  const std::optional<Hit> hit = world.cast(ray, Wave::light, noise.range_max);
+  const double range =
+      noise.measure(hit ? hit->range : std::numeric_limits<double>::infinity(), random);
   if (std::isfinite(range)) {
     organized.cloud.points.emplace_back((range * direction).cast<float>());
     return;

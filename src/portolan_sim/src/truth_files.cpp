@@ -50,7 +50,8 @@ std::string beacons_yaml(const World& world) {
 }  // namespace
 
 FileSet grid_files(const std::string& name, const TruthGrid& grid) {
-  return {{name + ".yaml", to_map_yaml(grid, name + ".pgm")}, {name + ".pgm", to_pgm(grid)}};
+  const MapPicture picture = to_picture(grid);
+  return {{name + ".yaml", to_map_yaml(picture, name + ".pgm")}, {name + ".pgm", to_pgm(picture)}};
 }
 
 FileSet mark_files(const World& world) {

@@ -3,9 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace portolan::sim {
 
@@ -64,14 +61,14 @@ void flood(const Eigen::Vector2i& start, TruthGrid& grid) {
   }
 }
 
-char gray(TruthGrid::Cell cell) {
+std::uint8_t gray(TruthGrid::Cell cell) {
   switch (cell) {
     case TruthGrid::Cell::free:
-      return static_cast<char>(254);
+      return MapPicture::kFree;
     case TruthGrid::Cell::occupied:
-      return 0;
+      return MapPicture::kOccupied;
     default:
-      return static_cast<char>(205);
+      return MapPicture::kUnknown;
   }
 }
 
@@ -120,22 +117,14 @@ TruthGrid truth_grid(const World& world, double resolution, double z,
   return grid;
 }
 
-std::string to_pgm(const TruthGrid& grid) {
-  std::string pgm =
-      "P5\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
-  for (int row = grid.height - 1; row >= 0; --row) {
-    for (int column = 0; column < grid.width; ++column) pgm += gray(grid.at({column, row}));
-  }
-  return pgm;
-}
-
-std::string to_map_yaml(const TruthGrid& grid, const std::string& image) {
-  std::ostringstream yaml;
-  yaml.imbue(std::locale::classic());
-  yaml << std::setprecision(9) << "image: " << image << "\nresolution: " << grid.resolution
-       << "\norigin: [" << grid.origin.x() << ", " << grid.origin.y()
-       << ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  return yaml.str();
+MapPicture to_picture(const TruthGrid& grid) {
+  MapPicture picture;
+  picture.resolution = grid.resolution;
+  const Eigen::Array2i first = (grid.origin / grid.resolution).array().round().cast<int>();
+  picture.rect = {{first.x(), first.y()}, {first.x() + grid.width, first.y() + grid.height}};
+  picture.pixels.reserve(grid.cells.size());
+  for (const TruthGrid::Cell cell : grid.cells) picture.pixels.push_back(gray(cell));
+  return picture;
 }
 
 std::string to_text(const TruthGrid& grid) {

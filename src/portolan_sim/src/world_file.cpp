@@ -6,48 +6,24 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
+
+#include "portolan/grid/map_picture.hpp"
+#include "portolan/grid/pgm.hpp"
 
 namespace portolan::sim {
 
 namespace {
 
-struct Image {
-  std::size_t width = 0;
-  std::size_t height = 0;
-  int white = 255;
-  std::string pixels;  // row by row from the top
-};
-
-/// The next word of a PGM header; comments run from # to the end of the line.
-std::string next_word(std::istream& in) {
-  std::string word;
-  while (in >> word && word[0] == '#') in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  return word;
-}
-
-Image read_pgm(const std::string& path) {
+Pgm read_image(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot be opened");
-  if (next_word(in) != "P5") throw std::runtime_error("is no binary PGM (P5)");
-  Image image;
-  image.width = std::stoul(next_word(in));
-  image.height = std::stoul(next_word(in));
-  image.white = std::stoi(next_word(in));
-  in.get();  // the one blank that ends the header
-  if (image.white < 1 || image.white > 255)
-    throw std::runtime_error("has more than 8 bits a pixel");
-  image.pixels.assign(std::istreambuf_iterator<char>(in), {});
-  if (image.width == 0 || image.pixels.size() / image.width < image.height) {
-    throw std::runtime_error("holds fewer pixels than it says");
-  }
-  return image;
+  if (!in) throw std::runtime_error(path + ": cannot be opened");
+  return read_pgm({std::istreambuf_iterator<char>(in), {}}, path);
 }
 
 /// What map_server makes of a gray value: p = (255 - v) / 255, or v / 255 where negated.
-bool is_occupied(std::uint8_t gray, int white, bool negate, double threshold) {
-  const double bright = static_cast<double>(gray) / white;
+bool is_occupied(std::uint8_t gray, bool negate, double threshold) {
+  const double bright = gray / 255.0;
   return (negate ? bright : 1.0 - bright) > threshold;
 }
 
@@ -68,19 +44,18 @@ void add_row(const std::vector<bool>& occupied, double left, double y, double si
 }
 
 WorldOptions from_map(const YAML::Node& yaml, const std::string& image_path, double wall_height) {
-  const Image image = read_pgm(image_path);
+  const Pgm image = read_image(image_path);
   const auto side = yaml["resolution"].as<double>();
   const auto origin = yaml["origin"].as<std::vector<double>>();
   const bool negate = yaml["negate"].as<int>(0) != 0;
-  const auto threshold = yaml["occupied_thresh"].as<double>(0.65);
+  const auto threshold = yaml["occupied_thresh"].as<double>(MapPicture::kOccupiedThresh);
   if (!(side > 0.0) || origin.size() != 3) throw std::runtime_error("bad resolution or origin");
   if (origin[2] != 0.0) throw std::runtime_error("a map that is turned cannot be a world");
   WorldOptions world;
   for (std::size_t row = 0; row < image.height; ++row) {
     std::vector<bool> occupied(image.width);
     for (std::size_t i = 0; i < image.width; ++i) {
-      const auto gray = static_cast<std::uint8_t>(image.pixels[row * image.width + i]);
-      occupied[i] = is_occupied(gray, image.white, negate, threshold);
+      occupied[i] = is_occupied(image.pixels[row * image.width + i], negate, threshold);
     }
     const double y = origin[1] + (static_cast<double>(image.height - row) - 0.5) * side;
     add_row(occupied, origin[0], y, side, wall_height, world.boxes);

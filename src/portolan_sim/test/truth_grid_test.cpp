@@ -57,13 +57,15 @@ TEST(TruthGrid, WhatIsShutOffStaysUnknown) {
   EXPECT_EQ(grid.at(grid.cell_of({0.45, 0.35})), TruthGrid::Cell::unknown);
 }
 
-TEST(TruthGrid, LiesWhereTheYamlSays) {
+TEST(TruthGrid, LiesWhereItsPictureSays) {
   const TruthGrid grid = truth_grid(World(room(1.0)), 0.05, 0.2, {0.5, 0.5});
   EXPECT_NEAR(grid.origin.x(), -0.2, 1e-12);
   EXPECT_EQ(grid.width, 28);
-  EXPECT_EQ(to_map_yaml(grid, "map.pgm"),
-            "image: map.pgm\nresolution: 0.05\norigin: [-0.2, -0.2, 0]\nnegate: 0\n"
-            "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const MapPicture picture = to_picture(grid);
+  EXPECT_EQ(picture.resolution, 0.05);
+  EXPECT_EQ(picture.rect.min.x, -4);
+  EXPECT_EQ(picture.rect.width(), grid.width);
+  EXPECT_EQ(picture.rect.height(), grid.height);
 }
 
 }  // namespace

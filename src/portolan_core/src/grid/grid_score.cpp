@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "portolan/grid/map_picture.hpp"
+
 namespace portolan {
 
 namespace {
@@ -28,8 +30,8 @@ void ask(CellShare& share, bool good) {
 CellState state_of(const GridMapper& map, Cell cell) {
   const std::optional<double> p = map.probability(cell);
   if (!p) return CellState::unknown;
-  if (*p > 0.65) return CellState::occupied;
-  return *p < 0.196 ? CellState::free : CellState::unknown;
+  if (*p > MapPicture::kOccupiedThresh) return CellState::occupied;
+  return *p < MapPicture::kFreeThresh ? CellState::free : CellState::unknown;
 }
 
 GridScore score(const GridMapper& map, const GridMapper& truth, const GridMapper& view) {

@@ -50,8 +50,8 @@ std::vector<GridLayer> layers_in(const std::string& yaml) {
 
 std::uint8_t pixel_of(double p, const MapPicture& picture) {
   if (picture.mode == "trinary") {
-    if (p > picture.occupied_thresh) return 0;
-    return p < picture.free_thresh ? 254 : MapPicture::kUnknown;
+    if (p > picture.occupied_thresh) return MapPicture::kOccupied;
+    return p < picture.free_thresh ? MapPicture::kFree : MapPicture::kUnknown;
   }
   const auto pixel = static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - p)));
   return pixel == MapPicture::kUnknown ? MapPicture::kUnknown - 1 : pixel;

@@ -3,10 +3,10 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cctype>
 #include <cmath>
 #include <stdexcept>
 
+#include "portolan/grid/pgm.hpp"
 #include "portolan/options/value.hpp"
 
 namespace portolan {
@@ -15,7 +15,7 @@ namespace {
 
 using options_detail::format_double;
 
-constexpr std::int64_t kMaxSide = 1000000;  // [cell]
+constexpr double kMaxCell = 1e6;  // of the origin
 
 [[noreturn]] void fail(const std::string& file, const std::string& reason) {
   throw std::runtime_error(file + ": " + reason);
@@ -42,51 +42,22 @@ double number(const YAML::Node& node, const std::string& key, const std::string&
 std::int32_t corner(double metres, double resolution, const std::string& file) {
   const double cells = metres / resolution;
   const double whole = std::round(cells);
-  if (std::abs(cells) > static_cast<double>(kMaxSide)) fail(file, "origin is too far away");
+  if (std::abs(cells) > kMaxCell) fail(file, "origin is too far away");
   if (std::abs(cells - whole) > 1e-3) fail(file, "origin must be a corner of a cell");
   return static_cast<std::int32_t>(whole);
 }
 
-// Reads the header of a binary PGM; comments run from # to the end of their line.
-class PgmHeader {
- public:
-  PgmHeader(const std::string& pgm, const std::string& file) : pgm_(pgm), file_(file) {
-    if (pgm.compare(0, 2, "P5") != 0) fail(file, "not a binary PGM (P5)");
-    width = read("width", kMaxSide);
-    height = read("height", kMaxSide);
-    if (read("largest value", 65535) != 255) fail(file, "the largest value must be 255");
-    ++at_;  // one white space, then the pixels
-    const auto pixels = static_cast<std::int64_t>(pgm.size()) - static_cast<std::int64_t>(at_);
-    if (pixels != width * height) fail(file, "its size does not fit its header");
+// The rows in the opposite order: pictures have the highest y first, maps the lowest.
+std::vector<std::uint8_t> upside_down(const std::vector<std::uint8_t>& pixels, std::size_t width) {
+  std::vector<std::uint8_t> turned;
+  turned.reserve(pixels.size());
+  for (auto end = pixels.end(); end != pixels.begin();) {
+    const auto first = end - static_cast<std::ptrdiff_t>(width);
+    turned.insert(turned.end(), first, end);
+    end = first;
   }
-
-  std::int64_t width = 0;
-  std::int64_t height = 0;
-  const char* pixels() const { return pgm_.data() + at_; }
-
- private:
-  std::int64_t read(const char* what, std::int64_t largest) {
-    skip_space();
-    std::int64_t value = 0;
-    for (; at_ < pgm_.size() && std::isdigit(static_cast<unsigned char>(pgm_[at_])); ++at_) {
-      value = 10 * value + (pgm_[at_] - '0');
-      if (value > largest) fail(file_, std::string(what) + " is too large");
-    }
-    if (value == 0) fail(file_, std::string(what) + " is missing or 0");
-    return value;
-  }
-
-  void skip_space() {
-    for (; at_ < pgm_.size(); ++at_) {
-      if (pgm_[at_] == '#') at_ = std::min(pgm_.find('\n', at_), pgm_.size() - 1);
-      if (!std::isspace(static_cast<unsigned char>(pgm_[at_]))) return;
-    }
-  }
-
-  const std::string& pgm_;
-  const std::string& file_;
-  std::size_t at_ = 2;
-};
+  return turned;
+}
 
 void read_keys(const YAML::Node& keys, const std::string& file, MapPicture& picture) {
   if (keys["version"] && number(keys["version"], "version", file) != 1.0) {
@@ -114,14 +85,8 @@ double MapPicture::probability(std::uint8_t pixel) const { return (255 - pixel) 
 
 std::string to_pgm(const MapPicture& picture) {
   const auto width = static_cast<std::size_t>(picture.rect.width());
-  std::string pgm = "P5\n" + std::to_string(picture.rect.width()) + " " +
-                    std::to_string(picture.rect.height()) + "\n255\n";
-  for (int y = picture.rect.height() - 1; y >= 0; --y) {
-    const auto first =
-        picture.pixels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width);
-    pgm.append(first, first + static_cast<std::ptrdiff_t>(width));
-  }
-  return pgm;
+  const auto height = static_cast<std::size_t>(picture.rect.height());
+  return to_bytes(Pgm{width, height, upside_down(picture.pixels, width)});
 }
 
 std::string to_map_yaml(const MapPicture& picture, const std::string& image) {
@@ -148,16 +113,10 @@ MapPicture read_map_picture(const std::string& yaml, const std::string& file,
   const YAML::Node keys = parse(yaml, file);
   read_keys(keys, file, picture);
   const bool negate = keys["negate"].IsDefined() && number(keys["negate"], "negate", file) != 0.0;
-  const PgmHeader header(pgm, image);
-  const auto width = static_cast<std::size_t>(header.width);
-  const auto height = static_cast<std::size_t>(header.height);
-  picture.rect.max = {picture.rect.min.x + static_cast<std::int32_t>(width),
-                      picture.rect.min.y + static_cast<std::int32_t>(height)};
-  picture.pixels.reserve(width * height);
-  for (std::size_t row = height; row-- > 0;) {
-    const char* first = header.pixels() + row * width;
-    picture.pixels.insert(picture.pixels.end(), first, first + width);
-  }
+  const Pgm read = read_pgm(pgm, image);
+  picture.rect.max = {picture.rect.min.x + static_cast<std::int32_t>(read.width),
+                      picture.rect.min.y + static_cast<std::int32_t>(read.height)};
+  picture.pixels = upside_down(read.pixels, read.width);
   if (negate) {
     for (std::uint8_t& pixel : picture.pixels) pixel = static_cast<std::uint8_t>(255 - pixel);
   }

@@ -11,14 +11,18 @@ namespace portolan {
 
 /// A grid map as map_server's files hold it.
 struct MapPicture {
+  static constexpr std::uint8_t kFree = 254;
+  static constexpr std::uint8_t kOccupied = 0;
   static constexpr std::uint8_t kUnknown = 205;
+  static constexpr double kOccupiedThresh = 0.65;  ///< above it a cell is taken for occupied
+  static constexpr double kFreeThresh = 0.196;     ///< below it for free
 
   CellRect rect;
   double resolution = 0.0;           ///< [m]
   std::vector<std::uint8_t> pixels;  ///< rows from low y to high y
   std::string mode = "trinary";
-  double occupied_thresh = 0.65;
-  double free_thresh = 0.196;
+  double occupied_thresh = kOccupiedThresh;
+  double free_thresh = kFreeThresh;
 
   /// map_server's rule, in [0, 1]; pixels of negated pictures are turned when they are read.
   double probability(std::uint8_t pixel) const;

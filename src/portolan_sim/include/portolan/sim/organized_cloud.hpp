@@ -4,6 +4,9 @@
 #include <cstdint>
 
 #include "portolan/observation/point_cloud.hpp"
+#include "portolan/pose.hpp"
+#include "portolan/sim/range_noise.hpp"
+#include "portolan/sim/world.hpp"
 
 namespace portolan::sim {
 
@@ -15,8 +18,26 @@ struct OrganizedCloud {
   std::uint32_t height = 0;  ///< rows, one after the other in `cloud.points`
 };
 
-/// Adds the next place of the cloud: a unit vector in the sensor's frame and what was measured
-/// along it, infinity for nothing [m]. Too close (-infinity) leaves NaN and says nothing more.
-void append(OrganizedCloud& organized, const Eigen::Vector3d& direction, double range);
+/// Measures along the ray of the cloud's next place, a unit vector in the sensor's frame. What is
+/// too close leaves NaN and says nothing more.
+void measure_next(const Eigen::Vector3d& direction, const World& world, const Pose& T_map_sensor,
+                  const RangeNoise& noise, Random& random, OrganizedCloud& organized);
+
+/// Measures along `rows` by `columns` rays; direction_of(row, column) is a unit vector in the
+/// sensor's frame.
+template <class DirectionOf>
+OrganizedCloud measure_all(int rows, int columns, DirectionOf direction_of, const World& world,
+                           const Pose& T_map_sensor, const RangeNoise& noise, Random& random) {
+  OrganizedCloud organized;
+  organized.width = static_cast<std::uint32_t>(columns);
+  organized.height = static_cast<std::uint32_t>(rows);
+  organized.cloud.points.reserve(std::size_t{organized.width} * organized.height);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      measure_next(direction_of(row, column), world, T_map_sensor, noise, random, organized);
+    }
+  }
+  return organized;
+}
 
 }  // namespace portolan::sim

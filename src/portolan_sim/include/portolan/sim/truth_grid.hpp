@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "portolan/grid/map_picture.hpp"
 #include "portolan/sim/world.hpp"
 
 namespace portolan::sim {
@@ -34,11 +35,8 @@ struct TruthGrid {
 /// it from `start`, and unknown else: the inside of solids and whatever is shut off.
 TruthGrid truth_grid(const World& world, double resolution, double z, const Eigen::Vector2d& start);
 
-/// As map_server reads it: binary PGM (P5), top row first, 254 free, 0 occupied, 205 unknown.
-std::string to_pgm(const TruthGrid& grid);
-
-/// The YAML beside it. `image` is the bare name of the PGM.
-std::string to_map_yaml(const TruthGrid& grid, const std::string& image);
+/// As map_server's files hold it: 254 free, 0 occupied, 205 unknown.
+MapPicture to_picture(const TruthGrid& grid);
 
 /// Drawn in text, top row first: '.' free, '#' occupied, ' ' unknown.
 std::string to_text(const TruthGrid& grid);
