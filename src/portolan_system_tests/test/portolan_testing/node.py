@@ -15,8 +15,9 @@ from portolan_testing.room import RESOLUTION
 from portolan_testing.waiting import eventually
 
 # Transforms may take their time on a busy machine; maps are small.
-DEFAULTS = {"tf_wait": 30.0, "publish_interval": 0.05}
-PROGRAM_DEFAULTS = {"occupancy_grid": {"resolution": RESOLUTION}}
+MAPPER = {"tf_wait": 30.0, "publish_interval": 0.05}
+DEFAULTS = {"occupancy_grid": {**MAPPER, "resolution": RESOLUTION}, "robot_sim": {}}
+PACKAGES = {"robot_sim": "portolan_sim"}
 
 
 def executable(name, package="portolan_ros"):
@@ -43,7 +44,7 @@ class Tally:
 
 
 class Node:
-    """A mapper's node; topics of tf and clock are those of its namespace unless `remap` says otherwise."""
+    """A node of ours; topics of tf and clock are those of its namespace unless `remap` says otherwise."""
 
     def __init__(self, namespace, program="occupancy_grid", parameters=None, remap=None, preexec=None,
                  until_ready=True):
@@ -51,14 +52,14 @@ class Node:
         self.name = f"{namespace}/{program}"
         if rospy.has_param(self.name):
             rospy.delete_param(self.name)
-        rospy.set_param(self.name, {**DEFAULTS, **PROGRAM_DEFAULTS.get(program, {}), **(parameters or {})})
+        rospy.set_param(self.name, {**DEFAULTS.get(program, MAPPER), **(parameters or {})})
         names = {f"/{topic}": f"{namespace}/{topic}" for topic in ("tf", "tf_static", "clock")}
         names.update(remap or {})
         self._errors = tempfile.TemporaryFile()
         self._status = None
         self._diagnostics = rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics)
         self.process = subprocess.Popen(
-            [executable(program), f"__ns:={namespace}", f"__name:={program}"]
+            [executable(program, PACKAGES.get(program, "portolan_ros")), f"__ns:={namespace}", f"__name:={program}"]
             + [f"{old}:={new}" for old, new in names.items()],
             stdout=subprocess.DEVNULL, stderr=self._errors, preexec_fn=preexec)
         if until_ready:
