@@ -29,7 +29,7 @@ class GridLiveEqualsOffline(case.NodeCase):
         return path
 
     def offline(self, bag, out="maps", **options):
-        done = self.bag_to_map("--config", self.config(**options), bag, out=out)
+        done = self.bag_to_map("--mappers", "occupancy_grid", "--config", self.config(**options), bag, out=out)
         self.assertEqual(done.returncode, 0, done.stderr)
         return {path.name: path.read_bytes() for path in (self.folder / out).iterdir()}
 

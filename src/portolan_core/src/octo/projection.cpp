@@ -2,7 +2,6 @@
 #include "portolan/octo/projection.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 namespace portolan {
@@ -10,11 +9,6 @@ namespace portolan {
 namespace {
 
 constexpr int kVoxels = BlockKey::kVoxels;
-
-BlockKey block_key(int x, int y, int z) {
-  return {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-          static_cast<std::uint16_t>(z)};
-}
 
 std::int8_t cell_value(bool known, bool occupied) {
   if (occupied) return 100;
@@ -24,11 +18,11 @@ std::int8_t cell_value(bool known, bool occupied) {
 }  // namespace
 
 void Projection::follow(const OctoMapper& map, std::size_t generation) {
-  if (seen_ && generation != generation_) *this = Projection(band_);
+  if (seen_ && generation != generation_) *this = Projection(shown_);
   lattice_ = map.lattice();
   std::set<Place> changed;
   const auto note = [&](BlockKey key, const VoxelBlock& /*block*/) {
-    changed.emplace(key.x, key.y);
+    for_each_affected(key, shown_, [&](BlockKey at) { changed.emplace(at.x, at.y); });
     lowest_ = std::min<int>(lowest_, key.z);
     highest_ = std::max<int>(highest_, key.z);
   };
@@ -48,34 +42,42 @@ void Projection::follow(const OctoMapper& map, std::size_t generation) {
 Projection::Columns Projection::look_down(const OctoMapper& map, const Place& place) const {
   Columns columns;
   for (int z = lowest_; z <= highest_; ++z) {
-    const bool reaches_band = band_.contains(*lattice_, kVoxels * z) ||
-                              band_.contains(*lattice_, kVoxels * z + kVoxels - 1) ||
-                              (lattice_->centre(kVoxels * z) < band_.min_z &&
-                               lattice_->centre(kVoxels * z + kVoxels - 1) > band_.max_z);
-    if (!reaches_band) continue;
-    const VoxelBlock* block = map.blocks().find(block_key(place.first, place.second, z));
+    const BlockKey key = block_key(place.first, place.second, z);
+    const VoxelMask band = in_band(map, key, shown_.band);
+    if (std::all_of(band.begin(), band.end(), [](auto layer) { return layer == 0; })) continue;
+    const VoxelBlock* block = map.blocks().find(key);
     if (block == nullptr) continue;
-    const VoxelMask mask = occupied(*block, map.threshold_log_odds());
-    for (int layer = 0; layer < kVoxels; ++layer) {
-      if (!band_.contains(*lattice_, kVoxels * z + layer)) continue;
-      columns.known |= block->known[static_cast<std::size_t>(layer)];
-      columns.occupied |= mask[static_cast<std::size_t>(layer)];
+    const VoxelMask mask = shown_voxels(map, key, *block, shown_);
+    for (std::size_t layer = 0; layer < mask.size(); ++layer) {
+      columns.known |= block->known[layer] & band[layer];
+      columns.occupied |= mask[layer];
     }
   }
   return columns;
 }
 
+Projection::Bounds Projection::bounds() const {
+  Bounds bounds;
+  for (const auto& [place, columns] : columns_) {
+    bounds.low_y = std::min(bounds.low_y, place.second);
+    bounds.high_y = std::max(bounds.high_y, place.second);
+  }
+  if (columns_.empty()) return bounds;
+  bounds.low_x = columns_.begin()->first.first;
+  bounds.high_x = columns_.rbegin()->first.first;
+  return bounds;
+}
+
+double Projection::area() const {
+  if (columns_.empty()) return 0.0;
+  const Bounds bounds = this->bounds();
+  return 64.0 * (bounds.high_x - bounds.low_x + 1) * (bounds.high_y - bounds.low_y + 1);
+}
+
 Projection::Grid Projection::grid() const {
   Grid grid;
   if (columns_.empty()) return grid;
-  int low_y = std::numeric_limits<int>::max();
-  int high_y = -1;
-  for (const auto& [place, columns] : columns_) {
-    low_y = std::min(low_y, place.second);
-    high_y = std::max(high_y, place.second);
-  }
-  const int low_x = columns_.begin()->first.first;
-  const int high_x = columns_.rbegin()->first.first;
+  const auto [low_x, low_y, high_x, high_y] = bounds();
   const double half = 0.5 * lattice_->resolution();
   grid.resolution = lattice_->resolution();
   grid.x = lattice_->centre(kVoxels * low_x) - half;

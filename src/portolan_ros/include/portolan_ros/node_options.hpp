@@ -84,10 +84,19 @@ TopicOptions default_topics() {
   return options;
 }
 
+/// A node's options before anybody changed them: its files are named after the kind of map, so that
+/// several nodes can share a folder.
+template <class Kind>
+NodeOptions default_node() {
+  NodeOptions options;
+  options.map_name = Kind::kFileName;
+  return options;
+}
+
 /// All options of a node for one kind of map, as its private parameters name them.
 template <class Kind>
 struct MapperNodeOptions {
-  NodeOptions node;
+  NodeOptions node = default_node<Kind>();
   PipelineOptions pipeline;
   TopicOptions topics = default_topics<Kind>();
   typename FilterOf<Kind>::Options filter;

@@ -30,6 +30,7 @@ class PipelineDiagnosis {
     status.add("corrections refused", corrections_refused_);
     status.add("transforms refused", pipeline_.posed().bad_transforms());
     status.add("times the clock ran back", pipeline_.time_jumps());
+    for (const auto& [what, count] : counts_of<Kind>(remapper.map())) status.add(what, count);
   }
 
  private:

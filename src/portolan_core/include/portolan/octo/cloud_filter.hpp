@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-
 #include "portolan/observation/point_cloud.hpp"
 #include "portolan/options.hpp"
 #include "portolan/pose.hpp"
@@ -11,7 +9,7 @@ namespace portolan {
 
 /// The part of space whose points may enter a map, in a frame of choice; names of octomap_server.
 struct PassThrough {
-  static constexpr double kAny = std::numeric_limits<double>::max();
+  static constexpr double kAny = 1e6;  // [m], beyond any sensor
   double min_x = -kAny;
   double max_x = kAny;
   double min_y = -kAny;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "portolan/octo/octo_mapper.hpp"
@@ -26,11 +27,35 @@ struct HeightBand {
   }
 };
 
-/// The occupied voxels in a band of heights, by x, then y, then z.
-std::vector<octomap::OcTreeKey> occupied_voxels(const OctoMapper& map, const HeightBand& band);
+/// What of a map is shown: voxels in a band of heights, and on request no speckles, which are
+/// occupied voxels that touch no other one by a face, an edge or a corner. The map keeps them all.
+struct Shown {
+  HeightBand band;
+  bool hides_speckles = false;
+};
 
-/// The voxels that touch another one of the list by a face, an edge or a corner; those that stand
-/// alone are taken for noise. Keeps the order, and the map keeps them.
-std::vector<octomap::OcTreeKey> without_speckles(const std::vector<octomap::OcTreeKey>& voxels);
+/// The voxels of a block that lie in the band.
+VoxelMask in_band(const OctoMapper& map, BlockKey key, const HeightBand& band);
+
+/// The occupied voxels of a block that are shown.
+VoxelMask shown_voxels(const OctoMapper& map, BlockKey key, const VoxelBlock& block,
+                       const Shown& shown);
+
+/// Calls visit(key) for each block of which other voxels may be shown after this one changed: its
+/// neighbours too where speckles are hidden.
+template <class Visit>
+void for_each_affected(BlockKey key, const Shown& shown, Visit visit) {
+  const int reach = shown.hides_speckles ? 1 : 0;
+  const auto low = [reach](int k) { return std::max(k - reach, 0); };
+  const auto high = [reach](int k) { return std::min(k + reach, BlockKey::kSide - 1); };
+  for (int x = low(key.x); x <= high(key.x); ++x) {
+    for (int y = low(key.y); y <= high(key.y); ++y) {
+      for (int z = low(key.z); z <= high(key.z); ++z) visit(block_key(x, y, z));
+    }
+  }
+}
+
+/// All occupied voxels that are shown, by x, then y, then z.
+std::vector<octomap::OcTreeKey> occupied_voxels(const OctoMapper& map, const Shown& shown);
 
 }  // namespace portolan

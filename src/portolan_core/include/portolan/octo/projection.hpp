@@ -28,13 +28,17 @@ class Projection {
     std::vector<std::int8_t> cells;  ///< -1 unknown, 0 free, 100 occupied
   };
 
-  explicit Projection(const HeightBand& band) : band_(checked(band)) {}
+  /// Throws OptionsError where the band is none.
+  explicit Projection(const Shown& shown) : shown_{checked(shown.band), shown.hides_speckles} {}
 
   /// Takes over what changed. `generation` tells one map from another that took its place.
   void follow(const OctoMapper& map, std::size_t generation);
 
   /// The rectangle of all columns of which something is known, rounded up to 8 x 8 cells.
   Grid grid() const;
+
+  /// How many cells that rectangle has: far from each other, few columns can span very many.
+  double area() const;
 
  private:
   /// 8 x 8 columns, as in a layer of a VoxelMask.
@@ -43,10 +47,17 @@ class Projection {
     std::uint64_t occupied = 0;
   };
   using Place = std::pair<int, int>;  // block x, y
+  struct Bounds {
+    int low_x = 0;
+    int low_y = BlockKey::kSide;
+    int high_x = -1;
+    int high_y = -1;
+  };
 
+  Bounds bounds() const;
   Columns look_down(const OctoMapper& map, const Place& place) const;
 
-  HeightBand band_;
+  Shown shown_;
   std::optional<VoxelLattice> lattice_;
   std::map<Place, Columns> columns_;
   int lowest_ = BlockKey::kSide;  // block z of the map

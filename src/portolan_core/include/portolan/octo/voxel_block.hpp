@@ -29,6 +29,12 @@ inline BlockKey block_of(const octomap::OcTreeKey& key) {
   return {part(key[0]), part(key[1]), part(key[2])};
 }
 
+/// The block at these multiples of 8 voxels, each from 0 to kSide - 1.
+inline BlockKey block_key(int x, int y, int z) {
+  const auto part = [](int k) { return static_cast<std::uint16_t>(k); };
+  return {part(x), part(y), part(z)};
+}
+
 /// A yes or no for each voxel of a block: a word for each layer of equal z, in which voxel (x, y)
 /// is bit 8 y + x.
 using VoxelMask = std::array<std::uint64_t, BlockKey::kVoxels>;

@@ -9,7 +9,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "portolan/map_file.hpp"
 #include "portolan_ros/bag/tally_summary.hpp"
@@ -129,11 +128,11 @@ void BagMapper<Kind>::finish() {
 
 template <class Kind>
 FileSet BagMapper<Kind>::files() const {
-  const Remapper<typename Kind::Mapper>& remapper = pipeline_.remapper();
-  FileSet files = Kind::save(remapper.map(), Kind::kFileName, options_);
-  files.merge(
-      Kind::pictures(remapper.map(), Kind::kFileName, trajectory_.in_map(remapper.correction())));
-  if (!trajectory_.empty()) files["trajectory.tum"] = trajectory_.tum(remapper.correction());
+  const auto& map = pipeline_.remapper().map();
+  const Correction& correction = pipeline_.remapper().correction();
+  FileSet files = Kind::save(map, Kind::kFileName, options_);
+  files.merge(Kind::pictures(map, Kind::kFileName, trajectory_.in_map(correction)));
+  if (!trajectory_.empty()) files["trajectory.tum"] = trajectory_.tum(correction);
   return files;
 }
 
@@ -142,6 +141,7 @@ YAML::Node BagMapper<Kind>::summary() const {
   YAML::Node node;
   node["inputs"] = counts_of(tallies());
   node["transforms_refused"] = pipeline_.posed().bad_transforms();
+  node["counts"] = counts_of<Kind>(pipeline_.remapper().map());
   node["wall_time"] = wall_time_.count();
   node["options"] = YAML::Load(to_yaml(option_rows(options_)));
   return node;

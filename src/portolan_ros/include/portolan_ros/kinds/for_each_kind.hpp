@@ -2,6 +2,7 @@
 #pragma once
 
 #include "portolan_ros/kinds/grid_kind.hpp"
+#include "portolan_ros/kinds/octo_kind.hpp"
 
 namespace portolan {
 
@@ -9,6 +10,7 @@ namespace portolan {
 template <class Function>
 void for_each_kind(Function function) {
   function(GridKind{});
+  function(OctoKind{});
 }
 
 }  // namespace portolan

@@ -5,8 +5,11 @@
 
 #include <ros/node_handle.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace portolan {
@@ -66,6 +69,15 @@ struct Services<Kind, std::void_t<typename Kind::Services>> {
   using Type = typename Kind::Services;
 };
 
+template <class Kind, class Map, class = void>
+struct Counts {
+  static std::map<std::string, std::uint64_t> of(const Map& /*map*/) { return {}; }
+};
+template <class Kind, class Map>
+struct Counts<Kind, Map, std::void_t<decltype(Kind::counts(std::declval<const Map&>()))>> {
+  static std::map<std::string, std::uint64_t> of(const Map& map) { return Kind::counts(map); }
+};
+
 }  // namespace kind_detail
 
 template <class Kind>
@@ -73,5 +85,11 @@ using FilterOf = typename kind_detail::Filter<Kind>::Type;
 
 template <class Kind>
 using ServicesOf = typename kind_detail::Services<Kind>::Type;
+
+/// What the map itself counted, for diagnostics; a kind says it with a function `counts(map)`.
+template <class Kind, class Map>
+std::map<std::string, std::uint64_t> counts_of(const Map& map) {
+  return kind_detail::Counts<Kind, Map>::of(map);
+}
 
 }  // namespace portolan
