@@ -11,17 +11,6 @@ namespace portolan {
 namespace {
 
 constexpr int kSide = TileMap::kSide;
-constexpr int kMaxSide = 8500;  // of a window [cell]: keeps the walks exact
-
-// The lowest n bits, for n in [0, 64].
-std::uint64_t ones(int n) { return n == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1; }
-
-// The columns from begin on and before end, as bits of a strip.
-std::uint64_t bits(int begin, int end, int strip) {
-  begin = std::clamp(begin - strip * kSide, 0, kSide);
-  end = std::clamp(end - strip * kSide, begin, kSide);
-  return ones(end) & ~ones(begin);
-}
 
 }  // namespace
 
@@ -81,56 +70,6 @@ void Footprint::occupy(FinePoint p) {
   const int row = p.y >> kFineLog2;
   word(occupied_, column, row) |= Word{1} << (column & 63);
   is_occupied_[tile_at(column, row)] = 1;
-}
-
-void Footprint::cone(FinePoint b, FinePoint c, std::int64_t free, std::int64_t occupied) {
-  const std::array<FinePoint, 3> corners = {in_window({0, 0}), in_window(b), in_window(c)};
-  spans_.assign(static_cast<std::size_t>(end_row_ - first_row_), Span{});
-  for (std::size_t i = 0; i < 3; ++i) {
-    fine_walk::walk_rows(corners[i], corners[(i + 1) % 3], 0.5 - fine_walk::kNudge,
-                         [this](int row, int column) {
-                           if (row < first_row_ || row >= end_row_) return;
-                           Span& span = spans_[static_cast<std::size_t>(row - first_row_)];
-                           span = {std::min(span.begin, column), std::max(span.end, column)};
-                         });
-  }
-  measure_disc(free, free_half_);
-  measure_disc(std::max(free, occupied), half_);
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    if (half_[i] < 0 || spans_[i].begin >= spans_[i].end) continue;
-    mark_row(first_row_ + static_cast<int>(i), within(spans_[i], corners[0].x, free_half_[i]),
-             within(spans_[i], corners[0].x, half_[i]));
-  }
-  for (int strip = 0; strip < strips_; ++strip) {
-    for (int row = first_row_ & ~(kSide - 1); row < end_row_; row += kSide) {
-      is_free_[tile_at(strip * kSide, row)] = 1;
-      is_occupied_[tile_at(strip * kSide, row)] = 1;
-    }
-  }
-}
-
-// Frees the free columns of a row, and occupies what all of them have besides.
-void Footprint::mark_row(int row, const Span& free, const Span& all) {
-  const int last = std::min((all.end - 1) >> 6, strips_ - 1);
-  for (int strip = std::max(all.begin >> 6, 0); strip <= last; ++strip) {
-    const Word freed = bits(free.begin, free.end, strip);
-    word(free_, strip * kSide, row) |= freed;
-    word(occupied_, strip * kSide, row) |= bits(all.begin, all.end, strip) & ~freed;
-  }
-}
-
-// Half the width of a disc about the anchor in each covered row; negative where it does not reach.
-void Footprint::measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const {
-  const auto square = static_cast<double>(radius * radius - 1);  // of a distance below the radius
-  constexpr int kHalf = kFine / 2;
-  const double to_first = first_row_ * kFine + kHalf - in_window({0, 0}).y;
-  half.resize(spans_.size());
-  for (std::size_t i = 0; i < half.size(); ++i) {
-    const double dy = to_first + kFine * static_cast<double>(static_cast<std::int32_t>(i));
-    const double rest = square - dy * dy;
-    const auto root = static_cast<std::int32_t>(std::sqrt(std::max(rest, 0.0)));
-    half[i] = rest < 0.0 ? -1 : root;
-  }
 }
 
 void Footprint::settle(std::vector<Word>& into, FinePoint min, FinePoint max) {

@@ -122,6 +122,8 @@ Outcome GridMapper::insert(const Observation& z, const Pose& T_map_sensor) {
     layer = kLayerOf<Seen>;
     if constexpr (std::is_same_v<Seen, RangeScan>) {
       return draw(seen, T_map_sensor, options_, fan_, footprint_);
+    } else if constexpr (std::is_same_v<Seen, RangeEcho>) {
+      return draw(seen, T_map_sensor, options_, cone_);
     } else {
       return draw(seen, T_map_sensor, options_, footprint_);
     }
@@ -130,11 +132,17 @@ Outcome GridMapper::insert(const Observation& z, const Pose& T_map_sensor) {
   if (outcome != Outcome::inserted) return outcome;
   ++revision_;
   Sheet& sheet = sheets_[index(layer)];
-  if (options_.fusion == Fusion::latest) {
-    Footprint(footprint_)
-        .apply(latest_, assign(static_cast<CellByte>(index(layer) + 1)), revision_);
+  const CellUpdate set = assign(static_cast<CellByte>(index(layer) + 1));
+  const bool keeps_latest = options_.fusion == Fusion::latest;
+  CellRect covered;
+  if (layer == GridLayer::sonar) {
+    if (keeps_latest) cone_.apply(latest_, set, revision_);
+    covered = cone_.apply(sheet.tiles, sheet.update, revision_);
+  } else {
+    if (keeps_latest) Footprint(footprint_).apply(latest_, set, revision_);
+    covered = footprint_.apply(sheet.tiles, sheet.update, revision_);
   }
-  sheet.bounds = united(sheet.bounds, footprint_.apply(sheet.tiles, sheet.update, revision_));
+  sheet.bounds = united(sheet.bounds, covered);
   return outcome;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "portolan/grid/echo_cone.hpp"
 #include "portolan/grid/footprint.hpp"
 #include "portolan/grid/grid_options.hpp"
 #include "portolan/grid/scan_fan.hpp"
@@ -33,7 +34,7 @@ Outcome draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions&
 
 /// An echo within a cone: R_f, R_o and R_u of the chapter, cells judged by their centres.
 Outcome draw(const RangeEcho& echo, const Pose& T_map_sensor, const GridOptions& options,
-             Footprint& footprint);
+             EchoCone& cone);
 
 /// A cloud: each ray frees the cells under its part inside the height band, thin, and occupies the
 /// cell of its end where that lies in the band.

@@ -23,6 +23,7 @@ class Footprint {
  public:
   static constexpr int kFineLog2 = FinePoint::kCellLog2;
   static constexpr int kFine = FinePoint::kCell;
+  static constexpr int kMaxSide = 8500;  ///< [cell]: keeps the walks exact
 
   /// The anchor that all points are counted from, in 1/1024 of a cell from the map's origin.
   struct Anchor {
@@ -72,21 +73,12 @@ class Footprint {
   /// Occupies the cell that holds the point.
   void occupy(FinePoint p);
 
-  /// Of the triangle (anchor, b, c): frees the cells nearer to the anchor than `free`, occupies
-  /// those from there to `occupied`, in 1/1024 of a cell. The triangle's corners must lie so far
-  /// out that the disc decides there. Not between `outline`s.
-  void cone(FinePoint b, FinePoint c, std::int64_t free, std::int64_t occupied);
-
   /// Puts the footprint into a map, whose tiles get this revision; the footprint is empty then.
   /// Returns the cells that it covers at most.
   CellRect apply(TileMap& map, const CellUpdate& update, std::uint64_t revision);
 
  private:
   using Word = std::uint64_t;
-  struct Span {
-    int begin = 1 << 30;
-    int end = -(1 << 30);
-  };
 
   EdgePlane edges(std::vector<Word>& plane, std::vector<std::uint8_t>& marks) {
     return {plane.data(), marks.data(), rows_, rows_ >> 6};
@@ -105,14 +97,6 @@ class Footprint {
     fine_walk::walk_rows(in_window(a), in_window(b), 0.5 - fine_walk::kNudge, visit);
   }
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
-  void measure_disc(std::int64_t radius, std::vector<std::int32_t>& half) const;
-  // The columns of a span whose centres lie at most `half` from `centre`.
-  static Span within(const Span& span, std::int32_t centre, std::int32_t half) {
-    if (half < 0) return {};
-    return {std::max(span.begin, fine_walk::first_centre(centre - half)),
-            std::min(span.end, fine_walk::first_centre(centre + half + 1))};
-  }
-  void mark_row(int row, const Span& free, const Span& all);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
   bool take_bits(int strip, int band);
   bool take_toggled(Word* toggled, TileBits& carry, TileBits& inside) const;
@@ -142,9 +126,6 @@ class Footprint {
   std::size_t band_begin_ = 0;  // its covered rows
   std::size_t band_end_ = 0;
   TileBits freed_{}, hit_{};
-  std::vector<Span> spans_;  // by row: of the cone
-  std::vector<std::int32_t> free_half_;
-  std::vector<std::int32_t> half_;
 };
 
 }  // namespace portolan

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "portolan/grid/cell.hpp"
+#include "portolan/grid/echo_cone.hpp"
 #include "portolan/grid/footprint.hpp"
 #include "portolan/grid/grid_layer.hpp"
 #include "portolan/grid/grid_options.hpp"
@@ -104,6 +105,7 @@ class GridMapper {
   std::uint64_t revision_ = 0;
   ScanFan fan_;
   Footprint footprint_;  // empty between insertions
+  EchoCone cone_;
 };
 
 /// What the map occupies in memory [byte].
