@@ -16,19 +16,23 @@ class FineGrid {
   double scale() const { return fine_per_metre_; }
 
   Footprint::Anchor anchor(const Eigen::Vector3d& p_map) const {
-    return {std::llround(p_map.x() * fine_per_metre_), std::llround(p_map.y() * fine_per_metre_)};
+    return {nearest<std::int64_t>(p_map.x() * fine_per_metre_),
+            nearest<std::int64_t>(p_map.y() * fine_per_metre_)};
   }
 
   /// A point so far from its anchor [m].
   FinePoint point(double x, double y) const {
-    return {nearest(x * fine_per_metre_), nearest(y * fine_per_metre_)};
+    return {nearest<std::int32_t>(x * fine_per_metre_), nearest<std::int32_t>(y * fine_per_metre_)};
   }
 
-  std::int64_t length(double metres) const { return std::llround(metres * fine_per_metre_); }
+  std::int64_t length(double metres) const {
+    return nearest<std::int64_t>(metres * fine_per_metre_);
+  }
 
  private:
-  static std::int32_t nearest(double value) {
-    return static_cast<std::int32_t>(value + std::copysign(0.5, value));
+  template <class Integer>
+  static Integer nearest(double value) {
+    return static_cast<Integer>(value + std::copysign(0.5, value));
   }
 
   double fine_per_metre_;
