@@ -10,7 +10,7 @@ namespace portolan {
 
 /// Where the optimiser starts from.
 enum class GraphStart {
-  best,           ///< the best of the others; a second one where the result is in doubt
+  best,           ///< the best of the others, and the next best for a second opinion
   as_given,       ///< the poses as they are: for a graph that was consistent before its last arcs
   spanning_tree,  ///< along the surest arcs
   rotations,      ///< orientations by linear least squares first, then positions

@@ -18,20 +18,20 @@ enum class Doubt {
   disconnected,     ///< parts of the graph that no arc connects
   bad_information,  ///< arcs were left out because their information is none
   poor_fit,         ///< chi-squared far above the degrees of freedom: wrong arcs or wrong minimum
-  wound_up,         ///< turns round a loop add up to a whole turn more than its arcs say
+  wound_up,         ///< turns round a loop end a whole turn off, or an arc is turned by over 90 deg
   other_minimum,    ///< other starts ended elsewhere
-  outliers,         ///< a few arcs are torn much further than all others
 };
 
-constexpr std::array<const char*, 8> enum_names(Doubt) {
-  return {"not_converged", "undetermined", "disconnected",  "bad_information",
-          "poor_fit",      "wound_up",     "other_minimum", "outliers"};
+constexpr std::array<const char*, 7> enum_names(Doubt) {
+  return {"not_converged", "undetermined", "disconnected", "bad_information",
+          "poor_fit",      "wound_up",     "other_minimum"};
 }
 
 /// What came of an optimisation.
 struct OptimizerReport {
   double chi2_before = 0.0;
-  double chi2 = 0.0;  ///< without kernel: sum of residual^T information residual
+  double chi2 = 0.0;  ///< sum of residual^T information residual over accepted arcs
+  double cost = 0.0;  ///< what the kernel makes of it: this is what was minimised
   std::size_t degrees_of_freedom = 0;
   std::size_t iterations = 0;
   std::size_t factorizations = 0;

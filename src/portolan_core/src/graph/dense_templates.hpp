@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+// What `DenseKernels` does, for vectors of any width. All of it is inlined into functions that name
+// the processor they are for.
+#define PORTOLAN_INLINE inline __attribute__((always_inline))
+
+namespace portolan::dense {
+
+using Index = std::ptrdiff_t;
+using Pair = double __attribute__((vector_size(16)));
+using Quad = double __attribute__((vector_size(32)));
+using Octet = double __attribute__((vector_size(64)));
+
+constexpr Index kColumns = 6;  // that stay in registers together
+constexpr Index kDepth = 48;   // columns whose rows fit into cache and page tables together
+
+template <class Vector>
+constexpr Index kWidth = static_cast<Index>(sizeof(Vector) / sizeof(double));
+
+template <class Vector>
+PORTOLAN_INLINE void load(Vector& v, const double* from) {
+  std::memcpy(&v, from, sizeof v);
+}
+template <class Vector>
+PORTOLAN_INLINE void store(const Vector& v, double* to) {
+  std::memcpy(to, &v, sizeof v);
+}
+
+// C -= A B^T for `height` vectors of rows and a few columns.
+template <class Vector, int columns, int height>
+PORTOLAN_INLINE void subtract_tile(double* c, Index ldc, const double* a, Index lda,
+                                   const double* b, Index ldb, Index depth) {
+  Vector sum[columns][height] = {};
+  for (Index k = 0; k < depth; ++k, a += lda, b += ldb) {
+    Vector rows[height];
+    for (int v = 0; v < height; ++v) load(rows[v], a + v * kWidth<Vector>);
+    for (int j = 0; j < columns; ++j) {
+      for (int v = 0; v < height; ++v) sum[j][v] += rows[v] * b[j];
+    }
+  }
+  for (int j = 0; j < columns; ++j) {
+    for (int v = 0; v < height; ++v) {
+      double* to = c + j * ldc + v * kWidth<Vector>;
+      Vector old;
+      load(old, to);
+      store<Vector>(old - sum[j][v], to);
+    }
+  }
+}
+
+// C -= A B^T for a few columns and any number of rows that is a multiple of the vectors' width.
+template <class Vector, int columns>
+PORTOLAN_INLINE void subtract_columns(double* c, Index ldc, Index rows, const double* a, Index lda,
+                                      const double* b, Index ldb, Index depth) {
+  constexpr Index w = kWidth<Vector>;
+  Index i = 0;
+  for (; i + 2 * w <= rows; i += 2 * w) {
+    subtract_tile<Vector, columns, 2>(c + i, ldc, a + i, lda, b, ldb, depth);
+  }
+  if (i < rows) subtract_tile<Vector, columns, 1>(c + i, ldc, a + i, lda, b, ldb, depth);
+}
+
+template <class Vector>
+PORTOLAN_INLINE void subtract_some(Index columns, double* c, Index ldc, Index rows, const double* a,
+                                   Index lda, const double* b, Index ldb, Index depth) {
+  switch (columns) {
+    case 1:
+      return subtract_columns<Vector, 1>(c, ldc, rows, a, lda, b, ldb, depth);
+    case 2:
+      return subtract_columns<Vector, 2>(c, ldc, rows, a, lda, b, ldb, depth);
+    case 3:
+      return subtract_columns<Vector, 3>(c, ldc, rows, a, lda, b, ldb, depth);
+    case 4:
+      return subtract_columns<Vector, 4>(c, ldc, rows, a, lda, b, ldb, depth);
+    case 5:
+      return subtract_columns<Vector, 5>(c, ldc, rows, a, lda, b, ldb, depth);
+    default:
+      return subtract_columns<Vector, 6>(c, ldc, rows, a, lda, b, ldb, depth);
+  }
+}
+
+// Columns [first, last) of C -= A B^T, each from its diagonal down, or a little above.
+template <class Vector>
+PORTOLAN_INLINE void subtract_trapezoid(double* c, Index ldc, Index first, Index last, Index ld,
+                                        const double* a, Index lda, Index depth) {
+  for (Index j = first; j < last; j += kColumns) {
+    const Index top = j / kWidth<Vector> * kWidth<Vector>;
+    subtract_some<Vector>(std::min(kColumns, last - j), c + top + j * ldc, ldc, ld - top, a + top,
+                          lda, a + j, lda, depth);
+  }
+}
+
+template <class Vector>
+PORTOLAN_INLINE void subtract_square(double* c, Index ldc, Index n, const double* a, Index lda,
+                                     Index depth) {
+  constexpr Index w = kWidth<Vector>;
+  const Index rows = (n + w - 1) / w * w;
+  for (Index k = 0; k < depth; k += kDepth) {
+    subtract_trapezoid<Vector>(c, ldc, 0, n, rows, a + k * lda, lda, std::min(kDepth, depth - k));
+  }
+}
+
+// Cholesky factor of a small block; what stands on its diagonal is inverted into `inverse`.
+template <int n>
+PORTOLAN_INLINE bool factor_corner(double (&l)[n][n], double (&inverse)[n]) {
+  for (int j = 0; j < n; ++j) {
+    for (int k = 0; k < j; ++k) {
+      for (int i = j; i < n; ++i) l[j][i] -= l[k][i] * l[k][j];
+    }
+    if (!(l[j][j] > 0.0)) return false;
+    l[j][j] = std::sqrt(l[j][j]);
+    inverse[j] = 1.0 / l[j][j];
+    for (int i = j + 1; i < n; ++i) l[j][i] *= inverse[j];
+  }
+  return true;
+}
+
+// Rows of A = A L^-T.
+template <class Vector, int n>
+PORTOLAN_INLINE void divide_rows(double* a, Index ld, Index rows, const double (&l)[n][n],
+                                 const double (&inverse)[n]) {
+  for (Index i = 0; i < rows; i += kWidth<Vector>) {
+    Vector x[n];
+    for (int j = 0; j < n; ++j) load(x[j], a + i + j * ld);
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < j; ++k) x[j] -= x[k] * l[k][j];
+      x[j] *= inverse[j];
+    }
+    for (int j = 0; j < n; ++j) store(x[j], a + i + j * ld);
+  }
+}
+
+// Factors n columns that begin at `first`, given that those before are subtracted already. The
+// rows of the corner are divided too where they share a vector with others, and then put right.
+template <class Vector, int n>
+PORTOLAN_INLINE bool factor_columns(double* a, Index ld, Index first) {
+  double* corner = a + first + first * ld;
+  double l[n][n];
+  double inverse[n];
+  for (int j = 0; j < n; ++j) std::memcpy(l[j], corner + j * ld, sizeof l[j]);
+  if (!factor_corner<n>(l, inverse)) return false;
+  const Index top = (first + n) / kWidth<Vector> * kWidth<Vector>;
+  divide_rows<Vector, n>(a + top + first * ld, ld, ld - top, l, inverse);
+  for (int j = 0; j < n; ++j) {
+    std::memcpy(corner + j + j * ld, &l[j][j], static_cast<std::size_t>(n - j) * sizeof(double));
+  }
+  return true;
+}
+
+template <class Vector>
+PORTOLAN_INLINE bool factor_some(Index columns, double* a, Index ld, Index first) {
+  switch (columns) {
+    case 1:
+      return factor_columns<Vector, 1>(a, ld, first);
+    case 2:
+      return factor_columns<Vector, 2>(a, ld, first);
+    case 3:
+      return factor_columns<Vector, 3>(a, ld, first);
+    case 4:
+      return factor_columns<Vector, 4>(a, ld, first);
+    case 5:
+      return factor_columns<Vector, 5>(a, ld, first);
+    default:
+      return factor_columns<Vector, 6>(a, ld, first);
+  }
+}
+
+// Left-looking within kDepth columns, right-looking between them.
+template <class Vector>
+PORTOLAN_INLINE bool factor_panel(double* a, Index ld, Index columns) {
+  for (Index first = 0; first < columns; first += kDepth) {
+    const Index last = std::min(first + kDepth, columns);
+    for (Index j = first; j < last; j += kColumns) {
+      const Index few = std::min(kColumns, last - j);
+      const double* before = a + first * ld;
+      if (j > first) subtract_trapezoid<Vector>(a, ld, j, j + few, ld, before, ld, j - first);
+      if (!factor_some<Vector>(few, a, ld, j)) return false;
+    }
+    subtract_trapezoid<Vector>(a, ld, last, columns, ld, a + first * ld, ld, last - first);
+  }
+  return true;
+}
+
+PORTOLAN_INLINE void solve_forward(const double* l, Index ld, Index rows, Index columns,
+                                   double* x) {
+  for (Index j = 0; j < columns; ++j, l += ld) {
+    const double xj = x[j] / l[j];
+    x[j] = xj;
+    for (Index i = j + 1; i < rows; ++i) x[i] -= l[i] * xj;
+  }
+}
+
+template <class Vector>
+PORTOLAN_INLINE void solve_backward(const double* l, Index ld, Index rows, Index columns,
+                                    double* x) {
+  constexpr Index w = kWidth<Vector>;
+  for (Index j = columns - 1; j >= 0; --j) {
+    const double* column = l + j * ld;
+    Vector sums = {};
+    Index i = j + 1;
+    for (; i + w <= rows; i += w) {
+      Vector a;
+      Vector b;
+      load(a, column + i);
+      load(b, x + i);
+      sums += a * b;
+    }
+    double sum = 0.0;
+    for (Index k = 0; k < w; ++k) sum += sums[k];
+    for (; i < rows; ++i) sum += column[i] * x[i];
+    x[j] = (x[j] - sum) / column[j];
+  }
+}
+
+}  // namespace portolan::dense

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "graph/problem.hpp"
+#include "portolan/graph/spanning_tree.hpp"
+
+namespace portolan {
+
+/// True where coordinates look like a wrong minimum whatever the weights of the arcs: the turns
+/// that are left over round a loop add up to a whole turn instead of nothing, or an arc is turned
+/// by more than a right angle.
+template <class Motion>
+bool is_wound_up(const Problem<Motion>& problem, const SpanningTree& tree,
+                 const std::vector<typename Motion::State>& states);
+
+/// True where chi^2 is much larger than measurement noise explains.
+bool is_poor_fit(double chi2, std::size_t degrees_of_freedom, double factor);
+
+}  // namespace portolan

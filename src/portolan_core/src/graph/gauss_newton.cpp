@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graph/gauss_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace portolan {
+
+namespace {
+
+constexpr double kFirstDamping = 1e-4;
+constexpr double kLeastDamping = 1e-6;  // below, there is none
+constexpr double kMostDamping = 1e8;    // above, no step helps
+constexpr double kShortestStep = 0.1;   // share of a step that is tried before damping
+constexpr double kSame = 5e-4;          // relative difference of costs near a known minimum
+constexpr double kNoCost = 1e-18;       // per arc: rounding
+
+}  // namespace
+
+template <class Motion>
+typename GaussNewton<Motion>::Descent GaussNewton<Motion>::descend(States& states,
+                                                                   const Kernel& kernel,
+                                                                   const Limits& limits) {
+  Descent descent;
+  damping_ = 0.0;
+  descent.cost = cost(problem_, states, kernel);
+  while (!descent.converged && descent.iterations < limits.max_iterations &&
+         std::abs(descent.cost - limits.known_minimum) > kSame * descent.cost) {
+    if (!improve(states, kernel, limits, descent)) break;
+  }
+  return descent;
+}
+
+// One linearisation, and the first step from it that improves the cost. False if there is none.
+template <class Motion>
+bool GaussNewton<Motion>::improve(States& states, const Kernel& kernel, const Limits& limits,
+                                  Descent& descent) {
+  ++descent.iterations;
+  equations_.linearize(problem_, states, kernel);
+  for (; damping_ <= kMostDamping; damping_ = std::max(kFirstDamping, 10.0 * damping_)) {
+    if (!solve(descent)) continue;
+    // What the step promises, g^T H^-1 g, is all that is left to win near the minimum.
+    const double promise = -equations_.g.dot(step_);
+    const double rounding = kNoCost * static_cast<double>(problem_.terms.size());
+    descent.converged = damping_ == 0.0 && promise <= limits.tolerance * descent.cost + rounding;
+    if (step(states, kernel, descent)) {
+      damping_ = damping_ > kLeastDamping ? 0.1 * damping_ : 0.0;
+      if (damping_ < kLeastDamping) damping_ = 0.0;
+      return true;
+    }
+    if (descent.converged) return true;
+  }
+  return false;
+}
+
+template <class Motion>
+bool GaussNewton<Motion>::solve(Descent& descent) {
+  ++descent.factorizations;
+  if (!cholesky_.factor(equations_.H, damping_)) {
+    descent.smallest_pivot = 0.0;
+    return false;
+  }
+  if (damping_ == 0.0) descent.smallest_pivot = cholesky_.smallest_pivot();
+  step_ = -equations_.g;
+  cholesky_.solve(step_);
+  return step_.allFinite();
+}
+
+template <class Motion>
+bool GaussNewton<Motion>::step(States& states, const Kernel& kernel, Descent& descent) {
+  for (double share = 1.0; share >= kShortestStep; share *= 0.5) {
+    move(states, share, tried_);
+    const double tried = cost(problem_, tried_, kernel);
+    if (!(tried < descent.cost)) continue;
+    descent.cost = tried;
+    states.swap(tried_);
+    return true;
+  }
+  return false;
+}
+
+template <class Motion>
+void GaussNewton<Motion>::move(const States& from, double share, States& to) const {
+  to = from;
+  for (std::size_t i = 0; i < problem_.pose.size(); ++i) {
+    const typename Motion::Vector v =
+        share * step_.segment<Motion::kSize>(static_cast<Eigen::Index>(i) * Motion::kSize);
+    typename Motion::State& state = to[problem_.pose[i]];
+    state = Motion::moved(state, v);
+  }
+}
+
+template class GaussNewton<PlanarMotion>;
+template class GaussNewton<SpatialMotion>;
+
+}  // namespace portolan

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/graph/graph_optimizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graph/doubts.hpp"
+#include "graph/gauss_newton.hpp"
+#include "graph/rotation_start.hpp"
+
+namespace portolan {
+
+namespace {
+
+constexpr double kSame = 1e-3;       // relative difference of costs that counts as the same minimum
+constexpr double kNowhere = -1.0;    // no minimum is known
+constexpr double kSingular = 1e-12;  // pivot, relative
+constexpr double kGraduation = 2.0;  // from one kernel to the next, less convex one
+
+// One optimisation of one graph.
+template <class Motion>
+class Run {
+ public:
+  Run(const Graph& graph, const OptimizerOptions& options)
+      : graph_(graph),
+        options_(options),
+        tree_(spanning_tree(graph)),
+        problem_(graph, tree_),
+        pattern_(Neighbours(static_cast<int>(problem_.pose.size()), problem_.pairs)),
+        solver_(problem_, pattern_) {
+    kernel_.shape = options.kernel;
+    kernel_.width2 = options.kernel_width * options.kernel_width;
+    report_.chi2_before = cost(problem_, problem_.states(graph), Kernel());
+  }
+
+  // From the best start and then, for a second opinion, from the next best: in `best` always, else
+  // where there is something to doubt.
+  OptimizerReport run(Graph& graph) {
+    std::vector<Start> starts = this->starts();
+    Result best = descend(starts.front(), kNowhere);
+    bool disputed = false;
+    const bool ask = options_.start == GraphStart::best || !looks_right(best);
+    for (std::size_t i = 1; ask && i < starts.size() && (i < 2 || disputed); ++i) {
+      Result other = descend(starts[i], best.descent.cost);
+      const double difference = other.descent.cost - best.descent.cost;
+      if (std::abs(difference) <= kSame * best.descent.cost + rounding()) continue;
+      disputed = true;
+      if (difference < 0.0) best = std::move(other);
+    }
+    if (disputed) report_.doubts.insert(Doubt::other_minimum);
+    conclude(best, graph);
+    return std::move(report_);
+  }
+
+ private:
+  using States = typename GaussNewton<Motion>::States;
+  struct Start {
+    GraphStart kind;
+    States states;
+    double cost;
+  };
+  struct Result {
+    GraphStart start;
+    States states;
+    typename GaussNewton<Motion>::Descent descent;
+  };
+
+  // The one that was asked for first, then by increasing cost. Given poses can be anything, so
+  // that they come last unless they are the best.
+  std::vector<Start> starts() {
+    std::vector<Start> all;
+    const auto offer = [&](GraphStart kind, States states) {
+      const double its_cost = cost(problem_, states, kernel_);
+      all.push_back({kind, std::move(states), its_cost});
+    };
+    States given = problem_.states(graph_);
+    States along = given;
+    for (const std::size_t pose : tree_.order) follow(pose, along);
+    if (auto states = rotation_start(problem_, pattern_, given)) {
+      offer(GraphStart::rotations, std::move(*states));
+    }
+    offer(GraphStart::spanning_tree, std::move(along));
+    offer(GraphStart::as_given, std::move(given));
+    const auto by_cost = [](const Start& a, const Start& b) { return a.cost < b.cost; };
+    std::stable_sort(all.begin(), all.end() - 1, by_cost);
+    const auto wanted = [&](const Start& start) { return start.kind == options_.start; };
+    auto first = std::find_if(all.begin(), all.end(), wanted);
+    if (first == all.end()) first = std::min_element(all.begin(), all.end(), by_cost);
+    std::rotate(all.begin(), first, first + 1);
+    return all;
+  }
+
+  // Puts a pose where the tree's arc leads from its parent.
+  void follow(std::size_t pose, States& states) const {
+    if (tree_.parent[pose] == SpanningTree::kNone) return;
+    const Arc& arc = graph_.arcs()[tree_.arc_to[pose]];
+    const auto T_from_to = Motion::state(arc.T_from_to);
+    const bool forward = arc.to == graph_.poses()[pose].id;
+    states[pose] = Motion::composed(states[tree_.parent[pose]],
+                                    forward ? T_from_to : Motion::inverse(T_from_to));
+  }
+
+  // Graduated kernels begin so convex that every arc counts, and end as they were asked for.
+  Result descend(const Start& start, double known_minimum) {
+    Result result{start.kind, start.states, {}};
+    typename GaussNewton<Motion>::Limits limits{options_.max_iterations, options_.tolerance,
+                                                kNowhere};
+    if (kernel_.shape == RobustKernel::geman_mcclure) {
+      Kernel kernel = kernel_;
+      kernel.convexity = std::max(1.0, largest_residual(result.states) / kernel.width2);
+      for (; kernel.convexity > 1.0; kernel.convexity /= kGraduation) {
+        solver_.descend(result.states, kernel, {2, options_.tolerance, kNowhere});
+      }
+    }
+    limits.known_minimum = known_minimum;
+    result.descent = solver_.descend(result.states, kernel_, limits);
+    report_.iterations += result.descent.iterations;
+    report_.factorizations += result.descent.factorizations;
+    return result;
+  }
+
+  double largest_residual(const States& states) const {
+    double largest = 0.0;
+    for (const auto& term : problem_.terms) largest = std::max(largest, chi2(term, states));
+    return largest;
+  }
+
+  double chi2(const typename Problem<Motion>::Term& term, const States& states) const {
+    const auto r = Motion::residual(states[term.from], states[term.to], term.measured);
+    return r.dot(term.information * r);
+  }
+
+  std::size_t degrees_of_freedom() const {
+    const std::size_t n = Motion::kSize;
+    const std::size_t measured = n * problem_.terms.size();
+    const std::size_t unknown = n * problem_.pose.size();
+    return measured > unknown ? measured - unknown : 0;
+  }
+
+  double rounding() const { return 1e-9 * static_cast<double>(problem_.terms.size()); }
+
+  bool looks_right(const Result& result) const {
+    return result.descent.converged && result.descent.smallest_pivot > kSingular &&
+           !is_poor_fit(result.descent.cost, degrees_of_freedom(), options_.poor_fit) &&
+           !is_wound_up(problem_, tree_, result.states);
+  }
+
+  void doubt(Doubt doubt, bool holds) {
+    if (holds) report_.doubts.insert(doubt);
+  }
+
+  void conclude(const Result& best, Graph& graph) {
+    report_.start = best.start;
+    report_.cost = best.descent.cost;
+    report_.chi2 = cost(problem_, best.states, Kernel());
+    report_.degrees_of_freedom = degrees_of_freedom();
+    doubt(Doubt::not_converged, !best.descent.converged);
+    doubt(Doubt::undetermined, best.descent.smallest_pivot < kSingular);
+    doubt(Doubt::disconnected, disconnected());
+    doubt(Doubt::poor_fit, is_poor_fit(best.descent.cost, degrees_of_freedom(), options_.poor_fit));
+    doubt(Doubt::wound_up, is_wound_up(problem_, tree_, best.states));
+    report_.weights.assign(graph.arcs().size(), 0.0);
+    for (std::size_t i = 0; i < problem_.terms.size(); ++i) {
+      const auto& term = problem_.terms[i];
+      report_.weights[problem_.arc[i]] =
+          term.may_fail ? kernel_.weight(chi2(term, best.states)) : 1.0;
+    }
+    for (const Arc& arc : graph.arcs()) {
+      doubt(Doubt::bad_information, arc.reason == ArcReason::bad_information);
+    }
+    for (const std::size_t pose : problem_.pose) graph.move(pose, Motion::pose(best.states[pose]));
+  }
+
+  // More roots than fixed poses, or none of these and more than one.
+  bool disconnected() const {
+    const auto& poses = graph_.poses();
+    const auto fixed = static_cast<std::size_t>(
+        std::count_if(poses.begin(), poses.end(), [](const GraphPose& p) { return p.fixed; }));
+    return tree_.components > std::max<std::size_t>(fixed, 1);
+  }
+
+  const Graph& graph_;
+  const OptimizerOptions& options_;
+  SpanningTree tree_;
+  Problem<Motion> problem_;
+  BlockPattern pattern_;
+  GaussNewton<Motion> solver_;
+  Kernel kernel_;
+  OptimizerReport report_;
+};
+
+}  // namespace
+
+GraphOptimizer::GraphOptimizer(const Options& options) : options_(checked(options)) {}
+
+OptimizerReport GraphOptimizer::optimize(Graph& graph) const {
+  return graph.space() == GraphSpace::planar ? Run<PlanarMotion>(graph, options_).run(graph)
+                                             : Run<SpatialMotion>(graph, options_).run(graph);
+}
+
+}  // namespace portolan

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "portolan/graph/arc.hpp"
+
+namespace portolan {
+
+/// Poses that move in the plane: x, y and heading.
+struct PlanarMotion {
+  static constexpr int kSize = 3;
+  static constexpr int kSpace = 2;        ///< coordinates of a position
+  static constexpr int kTurnColumns = 1;  ///< of a rotation matrix, that determine the others
+  using Vector = Eigen::Vector3d;
+  using Matrix = Eigen::Matrix3d;
+  using Point = Eigen::Vector2d;
+  using Turn = Eigen::Matrix2d;
+
+  struct State {
+    Point t = Point::Zero();
+    double heading = 0.0;
+    double c = 1.0;  // of the heading
+    double s = 0.0;
+  };
+
+  /// A residual and its derivatives by what moves the poses at both ends, as in `moved`.
+  struct Linearized {
+    Vector r;
+    Matrix H_from;
+    Matrix H_to;
+  };
+
+  static State state(const Pose& pose);
+  static Pose pose(const State& state) {
+    return planar_pose(state.t.x(), state.t.y(), state.heading);
+  }
+  static Matrix information(const TangentMatrix& information);
+  static State turned(const Point& t, double heading) {
+    return {t, heading, std::cos(heading), std::sin(heading)};
+  }
+
+  static Turn turn(const State& x) { return (Turn() << x.c, -x.s, x.s, x.c).finished(); }
+  /// The state with the rotation next to the transpose of a matrix, of which only the first
+  /// kTurnColumns columns are given.
+  static State with_turn(const State& x, const Eigen::Matrix<double, 2, 1>& transposed) {
+    return turned(x.t, std::atan2(-transposed[1], transposed[0]));
+  }
+  /// How surely an arc knows about turns, and about positions: weights of one number each.
+  static double turn_weight(const Matrix& information) { return information(2, 2); }
+  static double point_weight(const Matrix& information) {
+    return 0.5 * (information(0, 0) + information(1, 1));
+  }
+
+  static State composed(const State& a, const State& b) {
+    return turned(a.t + turn(a) * b.t, a.heading + b.heading);
+  }
+  static State inverse(const State& a) { return turned(-(turn(a).transpose() * a.t), -a.heading); }
+  /// T * exp(v), to first order in v.
+  static State moved(const State& x, const Vector& v) {
+    return turned(x.t + turn(x) * v.head<2>(), wrap_angle(x.heading + v[2]));
+  }
+  static Vector residual(const State& from, const State& to, const State& measured);
+  static Linearized linearize(const State& from, const State& to, const State& measured);
+};
+
+inline PlanarMotion::State PlanarMotion::state(const Pose& pose) {
+  return turned(pose.translation().head<2>(), yaw(pose));
+}
+
+inline PlanarMotion::Matrix PlanarMotion::information(const TangentMatrix& m) {
+  Matrix planar;
+  planar << m.topLeftCorner<2, 2>(), m.block<2, 1>(0, 5), m.block<1, 2>(5, 0), m(5, 5);
+  return planar;
+}
+
+inline PlanarMotion::Vector PlanarMotion::residual(const State& from, const State& to,
+                                                   const State& measured) {
+  const Point t_from_to = turn(from).transpose() * (to.t - from.t);
+  Vector r;
+  r << turn(measured).transpose() * (t_from_to - measured.t),
+      wrap_angle(to.heading - from.heading - measured.heading);
+  return r;
+}
+
+inline PlanarMotion::Linearized PlanarMotion::linearize(const State& from, const State& to,
+                                                        const State& measured) {
+  const Turn back = turn(measured).transpose();
+  const Point t_from_to = turn(from).transpose() * (to.t - from.t);
+  Linearized l;
+  l.r << back * (t_from_to - measured.t), wrap_angle(to.heading - from.heading - measured.heading);
+  l.H_from << -back, back * Point(t_from_to.y(), -t_from_to.x()), 0.0, 0.0, -1.0;
+  l.H_to << back * turn(from).transpose() * turn(to), Point::Zero(), 0.0, 0.0, 1.0;
+  return l;
+}
+
+}  // namespace portolan
