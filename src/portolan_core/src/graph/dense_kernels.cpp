@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/dense_kernels.hpp"
 
-#include "graph/dense_templates.hpp"
+#include "graph/dense_factor.hpp"
 
 namespace portolan {
 

@@ -42,7 +42,8 @@ bool GaussNewton<Motion>::improve(States& states, const Kernel& kernel, const Li
     // What the step promises, g^T H^-1 g, is all that is left to win near the minimum.
     const double promise = -equations_.g.dot(step_);
     const double rounding = kNoCost * static_cast<double>(problem_.terms.size());
-    descent.converged = damping_ == 0.0 && promise <= limits.tolerance * descent.cost + rounding;
+    const bool undamped = damping_ == 0.0 || descent.smallest_pivot == 0.0;
+    descent.converged = undamped && promise <= limits.tolerance * descent.cost + rounding;
     if (step(states, kernel, descent)) {
       damping_ = damping_ > kLeastDamping ? 0.1 * damping_ : 0.0;
       if (damping_ < kLeastDamping) damping_ = 0.0;

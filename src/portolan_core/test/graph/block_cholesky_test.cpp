@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../src/graph/block_cholesky.hpp"
+#include "graph/block_cholesky.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <random>
 #include <set>
+#include <type_traits>
 
 namespace portolan {
 namespace {

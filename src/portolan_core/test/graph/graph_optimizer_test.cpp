@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "graph/random_graph.hpp"
@@ -70,7 +71,7 @@ TEST(GraphOptimizer, closes_a_square) {
   for (PoseId i = 0; i < 4; ++i) graph.add(arc(i, (i + 1) % 4, planar_pose(1.0, 0.0, 1.6)));
   const OptimizerReport report = GraphOptimizer().optimize(graph);
   EXPECT_TRUE(report.doubts.empty()) << to_string(report.doubts);
-  EXPECT_NEAR(yaw(graph.at(2).T_map_pose), M_PI, 1e-6);
+  EXPECT_NEAR(std::abs(yaw(graph.at(2).T_map_pose)), M_PI, 1e-6);
   EXPECT_TRUE(
       graph.at(2).T_map_pose.translation().head<2>().isApprox(Eigen::Vector2d(1.0, 1.0), 0.05));
 }
@@ -132,7 +133,7 @@ TEST(GraphOptimizer, does_not_stay_in_a_minimum_that_is_wound_up) {
   for (PoseId i = 0; i < kPoses; ++i) {
     const double angle = 4.0 * M_PI * static_cast<double>(i) / kPoses;
     graph.move(static_cast<std::size_t>(i),
-               planar_pose(2.0 * sin(angle), 2.0 - 2.0 * cos(angle), angle));
+               planar_pose(2.0 * std::sin(angle), 2.0 - 2.0 * std::cos(angle), angle));
   }
   OptimizerOptions options;
   options.start = GraphStart::as_given;
