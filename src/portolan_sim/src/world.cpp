@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan/sim/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -108,6 +109,24 @@ bool World::sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double 
 double World::clearance(const Eigen::Vector2d& p_map, double reach, double bottom,
                         double top) const {
   return caster_.clearance(p_map, reach, bottom, top);
+}
+
+bool World::is_solid(const Eigen::Vector3d& p_map) const {
+  if ((floor_ && p_map.z() < 0.0) || (ceiling_ > 0.0 && p_map.z() > ceiling_)) return true;
+  return std::any_of(obstacles().begin(), obstacles().end(), [&](const Obstacle& obstacle) {
+    return obstacle.bottom <= p_map.z() && p_map.z() <= obstacle.top &&
+           distance(obstacle, p_map.head<2>()) == 0.0;
+  });
+}
+
+bool World::reaches_into(const Eigen::Vector3d& cube_center, double half_side) const {
+  const double z = cube_center.z();
+  if (floor_ && std::abs(z) <= half_side) return true;
+  if (ceiling_ > 0.0 && std::abs(z - ceiling_) <= half_side) return true;
+  return std::any_of(obstacles().begin(), obstacles().end(), [&](const Obstacle& obstacle) {
+    return obstacle.bottom <= z + half_side && z - half_side <= obstacle.top &&
+           overlaps(obstacle, cube_center.head<2>(), half_side);
+  });
 }
 
 }  // namespace portolan::sim

@@ -30,6 +30,13 @@ class World {
   /// The distance in the plane to the nearest obstacle between two heights, at most `reach` [m].
   double clearance(const Eigen::Vector2d& p_map, double reach, double bottom, double top) const;
 
+  /// True inside of an obstacle, below the floor and above the ceiling.
+  bool is_solid(const Eigen::Vector3d& p_map) const;
+
+  /// True where the cube, its sides along the axes, holds a part of an obstacle, of the floor or of
+  /// the ceiling. `half_side` [m].
+  bool reaches_into(const Eigen::Vector3d& cube_center, double half_side) const;
+
   const std::vector<Obstacle>& obstacles() const { return caster_.obstacles(); }
   const Marks& landmarks() const { return landmarks_; }
   const Marks& beacons() const { return beacons_; }
