@@ -98,7 +98,7 @@ std::vector<BeaconEstimate> BeaconMapper::estimates() const {
     };
     std::stable_sort(estimate.modes.begin(), estimate.modes.end(), heavier);
     if (track.last_p_map()) {
-      estimate.direction = direction_to_drive(estimate.modes, *track.last_p_map(), options_);
+      estimate.drive = best_drive(estimate.modes, *track.last_p_map(), options_);
     }
     all.push_back(std::move(estimate));
   }

@@ -78,17 +78,16 @@ double expected_information(const std::vector<BeaconMode>& modes, const Eigen::V
   return entropy(ranges, count) - std::log(stddev);
 }
 
-std::optional<Eigen::Vector3d> direction_to_drive(const std::vector<BeaconMode>& modes,
-                                                  const Eigen::Vector3d& p_map,
-                                                  const BeaconOptions& options) {
-  std::optional<Eigen::Vector3d> best;
+std::optional<BeaconDrive> best_drive(const std::vector<BeaconMode>& modes,
+                                      const Eigen::Vector3d& p_map, const BeaconOptions& options) {
+  std::optional<BeaconDrive> best;
   double most = kWorthDriving;
   const double step = reach_of(modes, p_map);
   for (const Eigen::Vector3d& direction : candidates(options.space)) {
     const double tells = expected_information(modes, p_map + step * direction, options.stddev);
     if (tells <= most * (1.0 + 1e-9)) continue;  // mirror images tie: the first one stands
     most = tells;
-    best = direction;
+    best = BeaconDrive{p_map, direction, step, tells};
   }
   return best;
 }

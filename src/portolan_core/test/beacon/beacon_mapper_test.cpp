@@ -92,13 +92,13 @@ TEST_P(BeaconMapperBothWays, AfterTheTurnOneModeIsLeftAndItIsTrue) {
 
 TEST(BeaconMapper, SaysToDriveOffTheLineThatLeavesAMirrorImage) {
   const BeaconEstimate beacon = drive_figure_11(kStraight, calibrated(), 1).estimates()[0];
-  ASSERT_TRUE(beacon.direction);
-  EXPECT_NEAR(beacon.direction->norm(), 1.0, 1e-12);
+  ASSERT_TRUE(beacon.drive);
+  EXPECT_NEAR(beacon.drive->direction.norm(), 1.0, 1e-12);
   const Eigen::Vector3d here = beacon_test::figure_11(kStraight - 1, kStraight).translation();
-  const double told = expected_information(beacon.modes, here + *beacon.direction, 0.1);
+  const double told = expected_information(beacon.modes, here + beacon.drive->direction, 0.1);
   const double straight_on =
       expected_information(beacon.modes, here + Eigen::Vector3d(1.0, 0.0, 0.0), 0.1);
-  EXPECT_GT(std::abs(beacon.direction->y()), 0.3);
+  EXPECT_GT(std::abs(beacon.drive->direction.y()), 0.3);
   EXPECT_GT(told, straight_on + 0.9 * std::log(2.0));  // ln 2: which of two it is
 }
 
@@ -168,8 +168,8 @@ TEST(BeaconMapper, FromOneHeightABeaconInSpaceStaysAmbiguous) {
   const BeaconEstimate beacon = mapper.estimates()[0];
   EXPECT_TRUE(beacon.ambiguous);
   EXPECT_NEAR(beacon.modes[0].mean.z(), -beacon.modes[1].mean.z(), 0.02);
-  ASSERT_TRUE(beacon.direction);
-  EXPECT_GT(std::abs(beacon.direction->z()), 0.9);
+  ASSERT_TRUE(beacon.drive);
+  EXPECT_GT(std::abs(beacon.drive->direction.z()), 0.9);
 }
 
 TEST_P(BeaconMapperBothWays, ABeaconThatStartedFromAWrongRangeRecovers) {

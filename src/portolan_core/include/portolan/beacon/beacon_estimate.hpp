@@ -19,6 +19,14 @@ struct BeaconMode {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< uncertain calibration included [m^2]
 };
 
+/// Where to drive so that the next range to a beacon tells most of its place.
+struct BeaconDrive {
+  Eigen::Vector3d p_map = Eigen::Vector3d::Zero();      ///< of the antenna now [m]
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit vector in the map
+  double distance = 0.0;                                ///< how far [m]
+  double information = 0.0;  ///< that a range taken there is expected to give [nat]
+};
+
 /// All that is known of one beacon, and what is not.
 struct BeaconEstimate {
   BeaconId id = 0;
@@ -28,9 +36,9 @@ struct BeaconEstimate {
   bool ambiguous = true;          ///< other modes than the first hold more than the given share
   std::vector<BeaconMode> modes;  ///< heaviest first
 
-  /// Unit vector in the map: where to drive so that the next ranges tell most; none where they
-  /// would tell next to nothing any more.
-  std::optional<Eigen::Vector3d> direction;
+  /// None where the next ranges would tell next to nothing, or where no range came yet since the
+  /// map was loaded.
+  std::optional<BeaconDrive> drive;
 };
 
 /// Ranges that a mapper took and that it could not take.

@@ -14,11 +14,10 @@ namespace portolan {
 double expected_information(const std::vector<BeaconMode>& modes, const Eigen::Vector3d& p_map,
                             double stddev);
 
-/// Unit vector towards the place, a short drive from `p_map`, where a range is expected to tell
-/// most; it tells two modes apart or shrinks the one that is left. None where even that would be
-/// less than a tenth of a nat.
-std::optional<Eigen::Vector3d> direction_to_drive(const std::vector<BeaconMode>& modes,
-                                                  const Eigen::Vector3d& p_map,
-                                                  const BeaconOptions& options);
+/// The short drive from `p_map` [m] to the place where a range is expected to tell most; it tells
+/// two modes apart or shrinks the one that is left. None where even that would be less than a tenth
+/// of a nat.
+std::optional<BeaconDrive> best_drive(const std::vector<BeaconMode>& modes,
+                                      const Eigen::Vector3d& p_map, const BeaconOptions& options);
 
 }  // namespace portolan
