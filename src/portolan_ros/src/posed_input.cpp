@@ -156,8 +156,8 @@ void PosedInput::clear() {
 
 bool PosedInput::is_repeated(std::size_t input, const Message& message) {
   constexpr std::size_t kRemembered = 256;
-  std::set<Time>& seen = seen_[{input, message.frame}];
-  if (!seen.insert(message.first).second) return true;
+  auto& seen = seen_[{input, message.frame}];
+  if (!seen.insert({message.first, message.part}).second) return true;
   if (seen.size() > kRemembered) seen.erase(seen.begin());
   return false;
 }

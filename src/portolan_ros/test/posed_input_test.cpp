@@ -135,6 +135,18 @@ TEST_F(PosedInputTest, UsesAStampOnceForEachSensor) {
   EXPECT_EQ(dropped(Drop::repeated_stamp), 2u);
 }
 
+TEST_F(PosedInputTest, TakesAllPartsOfWhatASensorSaysAtOneMoment) {
+  odometry(99.0);
+  odometry(100.0);
+  for (const std::uint64_t part : {1U, 2U, 1U, 3U}) {
+    PosedInput::Message z = message("z", 99.5, 99.5);
+    z.part = part;
+    input.receive(scans, std::move(z), now);
+  }
+  EXPECT_EQ(tally().used(), 3u);
+  EXPECT_EQ(dropped(Drop::repeated_stamp), 1u);
+}
+
 TEST_F(PosedInputTest, KnowsARepeatedStampThatCameAWhileAgo) {
   odometry(99.0);
   odometry(100.0);

@@ -112,7 +112,7 @@ void Pipeline<Kind>::receive(std::size_t input, std::optional<Sensed<SensorReadi
   poll(now);
   if (!sensed) return posed_.receive_malformed(input);
   const SensorId sensor = sensor_id(input, ros_convert::without_slash(sensed->frame));
-  PosedInput::Message message{sensed->frame, sensed->first, sensed->last, {}, {}};
+  PosedInput::Message message{sensed->frame, sensed->first, sensed->last, {}, {}, sensed->part};
   message.references = filter_.references(sensed->z);
   message.use = [this, sensor, stamp = sensed->first,
                  z = std::move(sensed->z)](const PosedInput::SensorPose& pose) mutable {

@@ -6,6 +6,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
@@ -67,6 +68,7 @@ class PosedInput {
     Time last;
     Use use;
     std::vector<std::string> references = {};  ///< further frames that it has to be posed in
+    std::uint64_t part = 0;                    ///< of what the sensor says at that moment
   };
 
   explicit PosedInput(const PosedInputOptions& options);
@@ -126,8 +128,9 @@ class PosedInput {
   std::map<std::string, geometry_msgs::TransformStamped> doubtful_;  // likewise: the last leap
   bool tf_ran_back_ = false;
   std::vector<Tally> tallies_;
-  std::map<std::pair<std::size_t, std::string>, std::set<Time>> seen_;  // by input and frame
-  std::deque<Waiting> waiting_;                                         // by stamp, then by arrival
+  // Stamps and parts by input and frame.
+  std::map<std::pair<std::size_t, std::string>, std::set<std::pair<Time, std::uint64_t>>> seen_;
+  std::deque<Waiting> waiting_;  // by stamp, then by arrival
   std::size_t bad_transforms_ = 0;
 };
 
