@@ -52,6 +52,17 @@ void Picture::set(std::int64_t column, std::int64_t row, Colour colour) {
   pixels_[static_cast<std::size_t>(row * w + column)] = colour;
 }
 
+void Picture::mix(std::int64_t column, std::int64_t row, Colour colour, double opacity) {
+  const auto w = static_cast<std::int64_t>(width());
+  const auto h = static_cast<std::int64_t>(height());
+  if (column < 0 || row < 0 || column >= w || row >= h) return;
+  Colour& pixel = pixels_[static_cast<std::size_t>(row * w + column)];
+  for (std::size_t i = 0; i < pixel.size(); ++i) {
+    const double mixed = opacity * colour[i] + (1.0 - opacity) * pixel[i];
+    pixel[i] = static_cast<std::uint8_t>(std::lround(mixed));
+  }
+}
+
 void Picture::line(double column_0, double row_0, double column_1, double row_1, Colour colour) {
   const double columns = column_1 - column_0;
   const double rows = row_1 - row_0;

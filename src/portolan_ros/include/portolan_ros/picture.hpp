@@ -22,6 +22,9 @@ class Picture {
   /// Sets one pixel; one outside of the picture is left out.
   void set(std::int64_t column, std::int64_t row, Colour colour);
 
+  /// Mixes the colour into one pixel, by `opacity` in [0, 1].
+  void mix(std::int64_t column, std::int64_t row, Colour colour, double opacity);
+
   /// A straight line of one pixel's width; what lies outside of the picture is left out.
   void line(double column_0, double row_0, double column_1, double row_1, Colour colour);
 

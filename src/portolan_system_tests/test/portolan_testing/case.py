@@ -17,6 +17,8 @@ from portolan_testing.robot import Robot, heard_by
 class NodeCase(unittest.TestCase):
     """Starts nodes, robots and listeners, and ends them all after the test."""
 
+    files = "map"  # what the names of saved files begin with
+
     _numbers = itertools.count(1)
 
     def setUp(self):
@@ -55,7 +57,7 @@ class NodeCase(unittest.TestCase):
         """The files that a save leaves, by name."""
         answer = node.call("save")
         self.assertTrue(answer.success, answer.message)
-        return files_of(self.folder / node.namespace[1:])
+        return files_of(self.folder / node.namespace[1:], self.files)
 
     def assert_in_words(self, words, text):
         """All of these words stand in the text."""

@@ -6,7 +6,7 @@ import struct
 import rospy
 from geometry_msgs.msg import Pose, TransformStamped
 from nav_msgs.msg import Odometry
-from portolan_msgs.msg import DriftCorrection
+from portolan_msgs.msg import BeaconRange, BeaconRanges, DriftCorrection
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField, Range
 from tf2_msgs.msg import TFMessage
 
@@ -72,6 +72,13 @@ def cloud(stamp, frame, points):
     message.header.stamp, message.header.frame_id = time(stamp), frame
     message.fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate("xyz")]
     message.data = b"".join(struct.pack("<3f", *point) for point in points)
+    return message
+
+
+def ranges(stamp, frame, ranges_, stddev=0.1):
+    """Of pairs (id of the beacon, range [m])."""
+    message = BeaconRanges(ranges=[BeaconRange(id=id_, range=range_, stddev=stddev) for id_, range_ in ranges_])
+    message.header.stamp, message.header.frame_id = time(stamp), frame
     return message
 
 

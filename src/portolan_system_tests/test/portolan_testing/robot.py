@@ -13,6 +13,7 @@ from portolan_testing import messages
 from portolan_testing.waiting import eventually
 
 SONARS = 12
+ANTENNA = (0.3, -0.2, 0.0)  # on the base: x, y [m], yaw
 SONAR_YAWS = [2.0 * math.pi * i / SONARS for i in range(SONARS)]
 
 TOPICS = {"tf": TFMessage, "tf_static": TFMessage, "scan": LaserScan, "sonar": Range, "cloud_in": PointCloud2,
@@ -31,7 +32,8 @@ def mounts(prefix=""):
     """Where the sensors sit on the robot: transforms for tf_static."""
     base = prefix + "base_link"
     sensors = [(f"{prefix}sonar_{i}", (0.0, 0.0, yaw)) for i, yaw in enumerate(SONAR_YAWS)]
-    sensors += [(prefix + "laser", (0.0, 0.0, 0.0)), (prefix + "camera", (0.0, 0.0, 0.0))]
+    sensors += [(prefix + "laser", (0.0, 0.0, 0.0)), (prefix + "camera", (0.0, 0.0, 0.0)),
+                (prefix + "antenna", ANTENNA)]
     return messages.transforms(*(messages.transform(1.0, base, name, pose) for name, pose in sensors))
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "portolan_ros/kinds/beacon_kind.hpp"
 #include "portolan_ros/kinds/grid_kind.hpp"
 #include "portolan_ros/kinds/octo_kind.hpp"
 
@@ -11,6 +12,7 @@ template <class Function>
 void for_each_kind(Function function) {
   function(GridKind{});
   function(OctoKind{});
+  function(BeaconKind{});
 }
 
 }  // namespace portolan

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "portolan/beacon/beacon_mapper.hpp"
+#include "portolan/map_file.hpp"
+#include "portolan_ros/convert/beacons.hpp"
+#include "portolan_ros/kinds/beacon_outputs.hpp"
+#include "portolan_ros/node_options.hpp"
+
+namespace portolan {
+
+/// The map of beacons as nodes and tools see it: what goes in, what comes out, which files.
+struct BeaconKind {
+  using Mapper = BeaconMapper;
+  using OutputOptions = BeaconOutputOptions;
+  using Outputs = BeaconOutputs;
+
+  static constexpr const char* kName = "beacons";
+  static constexpr const char* kFileName = "beacons";
+
+  /// Calls `add(name, noun, converter)` for each input.
+  template <class Add>
+  static void inputs(Add&& add) {
+    add("beacon_ranges", "rangings", &ros_convert::beacon_ranges);
+  }
+
+  /// Calls `add(what, count)` for what the map itself counts.
+  template <class Add>
+  static void counts(const BeaconMapper& map, Add&& add) {
+    add("beacons", map.tracks().size());
+    add("ranges taken", map.counts().taken);
+    add("ranges dropped: malformed", map.counts().malformed);
+    add("ranges dropped: too long", map.counts().too_long);
+    add("ranges dropped: beacons too many", map.counts().refused);
+  }
+
+  /// `<name>.yaml`.
+  static FileSet save(const BeaconMapper& map, const std::string& name,
+                      const MapperNodeOptions<BeaconKind>& options);
+
+  /// Throws std::runtime_error with path and reason.
+  static BeaconMapper load(const std::filesystem::path& folder, const std::string& name,
+                           const MapperNodeOptions<BeaconKind>& options);
+
+  /// A PNG from above of all modes, with the robot's way in it.
+  static FileSet pictures(const BeaconMapper& map, const std::string& name,
+                          const std::vector<Pose>& T_map_base);
+};
+
+}  // namespace portolan

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan_ros/kinds/beacon_kind.hpp"
+
+#include <stdexcept>
+
+#include "portolan/beacon/beacon_file.hpp"
+#include "portolan_ros/kinds/beacon_picture.hpp"
+
+namespace portolan {
+
+FileSet BeaconKind::save(const BeaconMapper& map, const std::string& name,
+                         const MapperNodeOptions<BeaconKind>& /*options*/) {
+  return {{name + ".yaml", to_yaml(map)}};
+}
+
+BeaconMapper BeaconKind::load(const std::filesystem::path& folder, const std::string& name,
+                              const MapperNodeOptions<BeaconKind>& options) {
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
+  const std::string file = name + ".yaml";
+  const std::string text = load_files(folder, {file}, kMaxBytes).at(file);
+  try {
+    return beacons_from_yaml(text, options.mapper);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error((folder / file).string() + ": " + error.what());
+  }
+}
+
+FileSet BeaconKind::pictures(const BeaconMapper& map, const std::string& name,
+                             const std::vector<Pose>& T_map_base) {
+  constexpr std::size_t kSide = 1000;  // [pixel]
+  BeaconScene scene;
+  scene.beacons = map.estimates();
+  if (scene.beacons.empty()) return {};
+  for (const Pose& pose : T_map_base) scene.way.push_back(pose.translation());
+  return {{name + ".png", beacon_picture(scene, kSide).png()}};
+}
+
+}  // namespace portolan
