@@ -6,6 +6,7 @@
 
 #include "laws/beacon_mapper_case.hpp"
 #include "laws/grid_mapper_case.hpp"
+#include "laws/landmark_mapper_case.hpp"
 #include "laws/octo_mapper_case.hpp"
 #include "portolan/remapper.hpp"
 
@@ -14,7 +15,8 @@ namespace {
 
 // A case says for its mapper: Mapper; options(); observation(); pose(); and equal(a, b), all drawn
 // from the seed that it is made with. A mapper joins the laws by its case in this list.
-using Cases = ::testing::Types<GridMapperCase, BeaconMapperCase, OctoMapperCase>;
+using Cases =
+    ::testing::Types<GridMapperCase, BeaconMapperCase, OctoMapperCase, LandmarkMapperCase>;
 
 template <class Case>
 class MapperLaws : public ::testing::Test {

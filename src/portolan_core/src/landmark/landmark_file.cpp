@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/landmark/landmark_file.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace portolan {
+
+namespace {
+
+constexpr int kVersion = 1;
+using options_detail::format_double;
+
+template <class Matrix>
+std::string listed(const Matrix& matrix) {
+  std::string text = "[";
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
+      text += (text.size() == 1 ? "" : ", ") + format_double(matrix(row, column));
+    }
+  }
+  return text + "]";
+}
+
+std::string shown_ray(const Place& ray) {
+  return "    ray:\n      coordinates: " + listed(ray.mean) +
+         "\n      covariance: " + listed(ray.covariance) +
+         "\n      origin: " + listed(ray.T_map_ray.translation()) +
+         "\n      axes: " + listed(ray.T_map_ray.linear()) + "\n";
+}
+
+/// The height of a flat landmark is not known; what is assumed of it is kept beside the map's z.
+std::string shown_height(const LandmarkEstimate& landmark) {
+  return "    height: {mean: " + format_double(landmark.place.mean.z()) +
+         ", covariance: " + listed(landmark.place.covariance.col(2)) + "}\n";
+}
+
+std::string shown(const LandmarkEstimate& landmark, const LandmarkTrack& track) {
+  const auto form = static_cast<std::size_t>(landmark.form);
+  const bool is_ray = landmark.place.form == PlaceForm::ray;
+  std::string text = "  - id: " + std::to_string(landmark.id) +
+                     "\n    mean: " + listed(landmark.mean) +
+                     "\n    covariance: " + listed(landmark.covariance) +
+                     "\n    sightings: " + std::to_string(landmark.sightings) +
+                     "\n    existence: " + format_double(landmark.existence) +
+                     "\n    evidence: " + format_double(track.log_odds()) +
+                     "\n    kind: " + enum_names(landmark.form).at(form) + "\n";
+  if (!track.has_height()) text += "    flat: true\n";
+  if (is_ray) return text + shown_ray(landmark.place);
+  const bool hides_height = landmark.covariance(2, 2) != landmark.place.covariance(2, 2);
+  return hides_height ? text + shown_height(landmark) : text;
+}
+
+void require(bool holds, const std::string& fault) {
+  if (!holds) throw std::runtime_error(fault);
+}
+
+double finite_number(const YAML::Node& node, const std::string& name) {
+  require(node.IsDefined() && node.IsScalar(), name + " is missing");
+  const auto value = node.as<double>();
+  require(std::isfinite(value), name + " is not finite");
+  return value;
+}
+
+template <int rows, int columns>
+Eigen::Matrix<double, rows, columns> matrix(const YAML::Node& node, const std::string& name) {
+  const std::size_t size = static_cast<std::size_t>(rows) * columns;
+  require(node.IsDefined() && node.IsSequence() && node.size() == size,
+          name + " must have " + std::to_string(size) + " numbers");
+  Eigen::Matrix<double, rows, columns> values;
+  for (std::size_t i = 0; i < size; ++i) {
+    values(static_cast<int>(i) / columns, static_cast<int>(i) % columns) =
+        finite_number(node[i], name);
+  }
+  return values;
+}
+
+Eigen::Matrix3d covariance(const YAML::Node& node, const std::string& name) {
+  const Eigen::Matrix3d read = matrix<3, 3>(node, name);
+  const double size = read.norm();
+  require((read - read.transpose()).norm() <= 1e-9 * size, name + " is not symmetric");
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(read, Eigen::EigenvaluesOnly);
+  require(solver.eigenvalues().minCoeff() >= -1e-9 * size, name + " has negative eigenvalues");
+  return read;
+}
+
+void read_ray(const YAML::Node& node, const std::string& name, Place& place) {
+  place.form = PlaceForm::ray;
+  place.mean = matrix<3, 1>(node["coordinates"], name + ": ray: coordinates");
+  place.covariance = covariance(node["covariance"], name + ": ray: covariance");
+  place.T_map_ray.translation() = matrix<3, 1>(node["origin"], name + ": ray: origin");
+  place.T_map_ray.linear() = matrix<3, 3>(node["axes"], name + ": ray: axes");
+  require(is_valid(place.T_map_ray), name + ": ray: axes are no rotation");
+}
+
+void read_height(const YAML::Node& node, const std::string& name, Place& place) {
+  place.mean.z() = finite_number(node["mean"], name + ": height: mean");
+  const Eigen::Vector3d column = matrix<3, 1>(node["covariance"], name + ": height: covariance");
+  place.covariance.col(2) = column;
+  place.covariance.row(2) = column.transpose();
+}
+
+double read_evidence(const YAML::Node& node) {
+  if (node["evidence"].IsDefined()) return finite_number(node["evidence"], "evidence");
+  if (!node["existence"].IsDefined()) return 0.0;
+  const double existence = finite_number(node["existence"], "existence");
+  require(existence > 0.0 && existence <= 1.0, "existence must be in (0, 1]");
+  constexpr double kSurest = 1.0 - 1e-12;
+  return std::log(std::min(existence, kSurest) / (1.0 - std::min(existence, kSurest)));
+}
+
+LandmarkTrack read_track(const YAML::Node& node, const std::string& name) {
+  Place place;
+  place.mean = matrix<3, 1>(node["mean"], name + ": mean");
+  place.covariance = covariance(node["covariance"], name + ": covariance");
+  if (node["height"].IsDefined()) read_height(node["height"], name, place);
+  if (node["ray"].IsDefined()) read_ray(node["ray"], name, place);
+  const YAML::Node sightings = node["sightings"];
+  const YAML::Node flat = node["flat"];
+  return {place, sightings.IsDefined() ? sightings.as<std::size_t>() : 1, read_evidence(node),
+          !(flat.IsDefined() && flat.as<bool>())};
+}
+
+LandmarkMapper read_map(const YAML::Node& root, const LandmarkOptions& options) {
+  require(root.IsMap() && root["version"].IsDefined(), "no version: not a map of landmarks");
+  require(root["version"].as<int>() == kVersion, "version must be " + std::to_string(kVersion));
+  require(root["landmarks"].IsDefined() && root["landmarks"].IsSequence(), "landmarks is missing");
+  std::set<LandmarkId> ids;
+  std::vector<std::pair<LandmarkId, LandmarkTrack>> tracks;
+  for (const YAML::Node& node : root["landmarks"]) {
+    require(node["id"].IsDefined(), "a landmark has no id");
+    const auto id = node["id"].as<LandmarkId>();
+    const std::string name = "landmark " + std::to_string(id);
+    require(id != LandmarkSighting::kUnknown, name + ": -1 says unknown");
+    require(ids.insert(id).second, name + " is there twice");
+    tracks.emplace_back(id, read_track(node, name));
+  }
+  return LandmarkMapper::restored(options, tracks);
+}
+
+}  // namespace
+
+std::string to_yaml(const LandmarkMapper& mapper) {
+  std::string text = "version: " + std::to_string(kVersion) + "\nlandmarks:";
+  const std::vector<LandmarkEstimate> landmarks = mapper.estimates();
+  text += landmarks.empty() ? " []\n" : "\n";
+  for (const LandmarkEstimate& landmark : landmarks)
+    text += shown(landmark, mapper.store().at(landmark.id).track);
+  return text;
+}
+
+LandmarkMapper landmarks_from_yaml(const std::string& text, const LandmarkOptions& options) {
+  try {
+    return read_map(YAML::Load(text), options);
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+}  // namespace portolan

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan/landmark/measurement.hpp"
+
+#include <cmath>
+
+namespace portolan {
+
+namespace {
+
+double squared(double value) { return value * value; }
+
+double variance(double stated, double otherwise) {
+  return squared(stated > 0.0 ? stated : otherwise);
+}
+
+Eigen::Vector3d unit_vector(double azimuth, double elevation) {
+  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+          std::sin(elevation)};
+}
+
+Eigen::Vector3d direction(const Measured<PolarModel>& m) { return unit_vector(m.z[1], 0.0); }
+Eigen::Vector3d direction(const Measured<SphericalModel>& m) { return unit_vector(m.z[1], m.z[2]); }
+Eigen::Vector3d direction(const Measured<AzimuthModel>& m) { return unit_vector(m.z[0], 0.0); }
+Eigen::Vector3d direction(const Measured<DirectionModel>& m) { return unit_vector(m.z[0], m.z[1]); }
+Eigen::Vector3d direction(const Measured<PixelModel>& m) {
+  const PinholeCamera& camera = m.model.camera;
+  return Eigen::Vector3d((m.z[0] - camera.cx) / camera.fx, (m.z[1] - camera.cy) / camera.fy, 1.0)
+      .normalized();
+}
+
+}  // namespace
+
+Eigen::Matrix4d pose_covariance(const UncertainPose& sensor) {
+  const double position = squared(sensor.position_stddev);
+  return Eigen::Vector4d(position, position, position, squared(sensor.heading_stddev)).asDiagonal();
+}
+
+Measurement measurement_of(const LandmarkSighting& sighting, const SightingNoiseOptions& noise) {
+  const double azimuth = variance(sighting.azimuth_stddev, noise.azimuth_stddev);
+  const double elevation = variance(sighting.elevation_stddev, noise.elevation_stddev);
+  const double range = variance(sighting.range_stddev,
+                                noise.range_stddev + noise.range_stddev_per_metre * sighting.range);
+  const bool planar = std::isnan(sighting.elevation);
+  if (std::isnan(sighting.range)) {
+    if (planar)
+      return Measured<AzimuthModel>{
+          {}, AzimuthModel::Vector(sighting.azimuth), AzimuthModel::Vector(azimuth)};
+    return Measured<DirectionModel>{
+        {}, {sighting.azimuth, sighting.elevation}, {azimuth, elevation}};
+  }
+  if (planar) return Measured<PolarModel>{{}, {sighting.range, sighting.azimuth}, {range, azimuth}};
+  return Measured<SphericalModel>{
+      {}, {sighting.range, sighting.azimuth, sighting.elevation}, {range, azimuth, elevation}};
+}
+
+Measurement measurement_of(const ImageFeature& feature, const PinholeCamera& camera,
+                           const SightingNoiseOptions& noise) {
+  const double pixel = squared(noise.pixel_stddev);
+  return Measured<PixelModel>{{camera}, {feature.u, feature.v}, {pixel, pixel}};
+}
+
+std::optional<Eigen::Vector3d> shown_point(const Measurement& measurement,
+                                           const Pose& T_map_sensor) {
+  return std::visit(
+      [&](const auto& m) -> std::optional<Eigen::Vector3d> {
+        if constexpr (std::decay_t<decltype(m.model)>::kScaleFree) {
+          return std::nullopt;
+        } else {
+          return T_map_sensor * Eigen::Vector3d(m.z[0] * direction(m));
+        }
+      },
+      measurement);
+}
+
+Eigen::Vector3d shown_direction(const Measurement& measurement, const Pose& T_map_sensor) {
+  return T_map_sensor.linear() *
+         std::visit([](const auto& m) { return direction(m); }, measurement);
+}
+
+bool tells_height(const Measurement& measurement) {
+  return !std::holds_alternative<Measured<PolarModel>>(measurement) &&
+         !std::holds_alternative<Measured<AzimuthModel>>(measurement);
+}
+
+}  // namespace portolan
