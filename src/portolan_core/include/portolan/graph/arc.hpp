@@ -45,11 +45,12 @@ enum class ArcReason {
   ambiguous,        ///< they fit in several places
   inconsistent,     ///< it contradicts the arcs around it
   bad_information,  ///< its information is not finite, not symmetric or has negative eigenvalues
+  unconfirmed,      ///< it fits, but too few other arcs say the same yet
 };
 
-constexpr std::array<const char*, 8> enum_names(ArcReason) {
-  return {"none",       "by_request", "low_overlap",  "poor_match",
-          "degenerate", "ambiguous",  "inconsistent", "bad_information"};
+constexpr std::array<const char*, 9> enum_names(ArcReason) {
+  return {"none",      "by_request",   "low_overlap",     "poor_match", "degenerate",
+          "ambiguous", "inconsistent", "bad_information", "unconfirmed"};
 }
 
 /// What may move between two poses: x, y, z [m], then a turn about x, y, z [rad], as in ROS and
