@@ -170,9 +170,10 @@ void ScanBeams::count_turn(const RangeScan& scan) {
   may_join_ = step <= kWidest;
   is_round_ = goes_round_once(scan);
   const double turned = is_swept_ ? rotation_angle(scan.T_first_last) : 0.0;
-  const double fitting = (2.0 * M_PI - kGap - turned) / step - 1.0;
+  const double fitting = std::max(0.0, (2.0 * M_PI - kGap - turned) / step - 1.0);
   const bool closes = is_round_ && !is_swept_;
-  first_turn_ = closes ? n : std::min(n, static_cast<std::size_t>(std::max(0.0, fitting)));
+  const bool all_fit = closes || fitting >= static_cast<double>(n);
+  first_turn_ = all_fit ? n : static_cast<std::size_t>(fitting);
 }
 
 FinePoint ScanBeams::origin(std::size_t i) const { return is_swept_ ? origin_.at(i) : FinePoint{}; }
