@@ -21,7 +21,7 @@ function(portolan_target_defaults)
     if(PORTOLAN_SANITIZE)
       # GCC warns of uninitialized parts of std::variant where it instruments; ordinary builds keep that warning.
       set(sanitize -fsanitize=${PORTOLAN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-        -Wno-maybe-uninitialized)
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
       target_compile_options(${target} PRIVATE ${sanitize})
       target_link_options(${target} PRIVATE ${sanitize})
     endif()

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor messages of any content: what a conversion lets through, a mapper takes or refuses.
+#include <cmath>
+#include <cstring>
+
+#include "fuzz.hpp"
+#include "portolan/beacon/beacon_mapper.hpp"
+#include "portolan/grid/grid_mapper.hpp"
+#include "portolan/octo/octo_mapper.hpp"
+#include "portolan_ros/convert/beacons.hpp"
+#include "portolan_ros/convert/correction.hpp"
+#include "portolan_ros/convert/point_cloud.hpp"
+#include "portolan_ros/convert/ranges.hpp"
+
+namespace portolan::fuzz {
+namespace {
+
+/// Takes values of any type from the bytes, zeros where they have come to an end.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+
+  template <class T>
+  T next() {
+    T value{};
+    const std::size_t n = std::min(sizeof(T), size_);
+    if (n > 0) std::memcpy(&value, data_, n);
+    data_ += n;
+    size_ -= n;
+    return value;
+  }
+  template <class T>
+  void fill(T& value) {
+    value = next<T>();
+  }
+  template <class T>
+  std::vector<T> all() {
+    std::vector<T> values;
+    while (size_ >= sizeof(T)) values.push_back(next<T>());
+    return values;
+  }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t size_;
+};
+
+sensor_msgs::LaserScan scan(Bytes bytes) {
+  sensor_msgs::LaserScan message;
+  bytes.fill(message.header.stamp.sec);
+  bytes.fill(message.header.stamp.nsec);
+  for (float* value : {&message.angle_min, &message.angle_increment, &message.time_increment,
+                       &message.range_min, &message.range_max}) {
+    bytes.fill(*value);
+  }
+  message.ranges = bytes.all<float>();
+  return message;
+}
+
+sensor_msgs::Range echo(Bytes bytes) {
+  sensor_msgs::Range message;
+  for (float* value :
+       {&message.field_of_view, &message.min_range, &message.max_range, &message.range}) {
+    bytes.fill(*value);
+  }
+  return message;
+}
+
+sensor_msgs::PointCloud2 cloud(Bytes bytes) {
+  sensor_msgs::PointCloud2 message;
+  for (std::uint32_t* value :
+       {&message.width, &message.height, &message.point_step, &message.row_step}) {
+    *value = bytes.next<std::uint8_t>() == 255 ? bytes.next<std::uint32_t>()
+                                               : bytes.next<std::uint8_t>();
+  }
+  message.is_bigendian = bytes.next<std::uint8_t>() % 2;
+  for (const char* name : {"x", "y", "z"}) {
+    sensor_msgs::PointField field;
+    field.name = name;
+    field.offset = bytes.next<std::uint8_t>();
+    if (field.offset == 255) field.offset = bytes.next<std::uint32_t>();
+    field.datatype = bytes.next<std::uint8_t>() % 10;
+    field.count = bytes.next<std::uint8_t>();
+    message.fields.push_back(field);
+  }
+  message.data = bytes.all<std::uint8_t>();
+  return message;
+}
+
+portolan_msgs::DriftCorrection drift(Bytes bytes) {
+  portolan_msgs::DriftCorrection message;
+  message.child_frame_id = "odom";
+  message.stamps.resize(bytes.next<std::uint8_t>() % 8);
+  message.poses.resize(bytes.next<std::uint8_t>() % 8);
+  for (ros::Time& stamp : message.stamps) {
+    bytes.fill(stamp.sec);
+    bytes.fill(stamp.nsec);
+  }
+  for (geometry_msgs::Pose& pose : message.poses) {
+    for (double* value : {&pose.position.x, &pose.position.y, &pose.position.z, &pose.orientation.x,
+                          &pose.orientation.y, &pose.orientation.z, &pose.orientation.w}) {
+      bytes.fill(*value);
+    }
+  }
+  return message;
+}
+
+portolan_msgs::BeaconRanges ranges(Bytes bytes) {
+  portolan_msgs::BeaconRanges message;
+  message.ranges.resize(bytes.next<std::uint8_t>() % 8);
+  for (portolan_msgs::BeaconRange& range : message.ranges) {
+    bytes.fill(range.id);
+    bytes.fill(range.range);
+    bytes.fill(range.stddev);
+  }
+  return message;
+}
+
+// A small map: what is far out is refused, so that no input takes long.
+template <class Mapper, class Z>
+void map(const Z& z) {
+  typename Mapper::Options options;
+  if constexpr (!std::is_same_v<Mapper, BeaconMapper>) options.resolution = 0.5;
+  Mapper mapper(options);
+  if (mapper.insert(z, Pose::Identity()) != Outcome::unusable) mapper.insert(z, Pose::Identity());
+}
+
+void convert(std::uint8_t kind, Bytes bytes) {
+  switch (kind % 5) {
+    case 0:
+      if (const auto sensed = ros_convert::range_scan(scan(bytes))) {
+        map<GridMapper>(sensed->z);
+        map<OctoMapper>(sensed->z);
+      }
+      return;
+    case 1:
+      if (const auto sensed = ros_convert::range_echo(echo(bytes))) map<GridMapper>(sensed->z);
+      return;
+    case 2:
+      if (const auto sensed = ros_convert::point_cloud(cloud(bytes))) {
+        map<GridMapper>(sensed->z);
+        map<OctoMapper>(sensed->z);
+      }
+      return;
+    case 3:
+      if (const auto sensed = ros_convert::beacon_ranges(ranges(bytes))) {
+        map<BeaconMapper>(sensed->z);
+      }
+      return;
+    default:
+      try {
+        const Correction read = ros_convert::correction(drift(bytes), "odom");
+        if (!is_valid(read.at(Time(seconds(1.0))))) fail("a correction that is no rigid motion");
+      } catch (const std::invalid_argument&) {
+      }
+  }
+}
+
+}  // namespace
+}  // namespace portolan::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size > 0) portolan::fuzz::convert(data[0], {data + 1, size - 1});
+  return 0;
+}
