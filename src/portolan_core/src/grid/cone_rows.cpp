@@ -4,9 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define PORTOLAN_X86 1
-#endif
+#include "portolan/grid/row_vectors.hpp"
 
 namespace portolan {
 
@@ -14,34 +12,14 @@ namespace {
 
 constexpr double kFar = 1e5;  // [cell]: beyond every footprint
 
-// So many rows at once, as vectors of the compiler, which become those of the processor that a
-// function is compiled for.
-struct OneRow {
-  static constexpr std::size_t kCount = 1;
-  using Doubles = double __attribute__((vector_size(8)));
-  using Ints = std::int32_t __attribute__((vector_size(4)));
-  using Words = std::uint64_t __attribute__((vector_size(8)));
-};
-struct FourRows {
-  static constexpr std::size_t kCount = 4;
-  using Doubles = double __attribute__((vector_size(32)));
-  using Ints = std::int32_t __attribute__((vector_size(16)));
-  using Words = std::uint64_t __attribute__((vector_size(32)));
-};
-struct EightRows {
-  static constexpr std::size_t kCount = 8;
-  using Doubles = double __attribute__((vector_size(64)));
-  using Ints = std::int32_t __attribute__((vector_size(32)));
-  using Words = std::uint64_t __attribute__((vector_size(64)));
-};
-
 template <class Rows>
 class Pen {
  public:
   static bool draw(const ConeRows& cone, double x, double y, std::size_t begin, std::size_t end,
                    TileBits& free, TileBits& occupied) {
     Words any{};
-    for (std::size_t first = begin & ~(Rows::kCount - 1); first < end; first += Rows::kCount) {
+    constexpr std::size_t kCount = Rows::kCount;
+    for (std::size_t first = begin & ~(kCount - 1); first < end; first += kCount) {
       Words freed{};
       Words all{};
       draw(cone, x, middles() + (static_cast<double>(first) - y), freed, all);
@@ -51,7 +29,7 @@ class Pen {
       any |= all;
     }
     std::uint64_t all = 0;
-    for (std::size_t i = 0; i < Rows::kCount; ++i) all |= any[i];
+    for (int i = 0; i < Rows::kCount; ++i) all |= any[i];
     return all != 0;
   }
 
@@ -91,32 +69,16 @@ class Pen {
 
   static Doubles middles() {
     Doubles middles{};
-    for (std::size_t i = 0; i < Rows::kCount; ++i) middles[i] = static_cast<double>(i) + 0.5;
+    for (int i = 0; i < Rows::kCount; ++i) middles[i] = i + 0.5;
     return middles;
   }
   static Doubles min(Doubles a, Doubles b) { return a < b ? a : b; }
   static Doubles max(Doubles a, Doubles b) { return a > b ? a : b; }
   static Doubles sqrt(Doubles a) {
-    for (std::size_t i = 0; i < Rows::kCount; ++i) a[i] = std::sqrt(a[i]);
+    for (int i = 0; i < Rows::kCount; ++i) a[i] = std::sqrt(a[i]);
     return a;
   }
 };
-
-#ifdef PORTOLAN_X86
-
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] bool draw_rows_avx512(
-    const ConeRows& cone, double x, double y, std::size_t begin, std::size_t end, TileBits& free,
-    TileBits& occupied) {
-  return Pen<EightRows>::draw(cone, x, y, begin, end, free, occupied);
-}
-
-[[gnu::target("avx2"), gnu::flatten]] bool draw_rows_avx2(const ConeRows& cone, double x, double y,
-                                                          std::size_t begin, std::size_t end,
-                                                          TileBits& free, TileBits& occupied) {
-  return Pen<FourRows>::draw(cone, x, y, begin, end, free, occupied);
-}
-
-#endif
 
 // A horizontal line is taken as falling by half a fine point on its way out, so that centres upon
 // it are in where it is a lower side and out where it is an upper one. The nudge decides exact ties
@@ -147,21 +109,16 @@ void ConeRows::set_radii(std::int64_t free, std::int64_t reach) {
   reach_square = square_below(reach);
 }
 
+bool draw_rows(const ConeRows& cone, double x, double y, std::size_t begin, std::size_t end,
+               TileBits& free, TileBits& occupied) {
+  return with_widest_rows(
+      [&](auto by) { return Pen<decltype(by)>::draw(cone, x, y, begin, end, free, occupied); });
+}
+
 bool cone_rows_detail::draw_rows_portably(const ConeRows& cone, double x, double y,
                                           std::size_t begin, std::size_t end, TileBits& free,
                                           TileBits& occupied) {
-  return Pen<OneRow>::draw(cone, x, y, begin, end, free, occupied);
-}
-
-bool draw_rows(const ConeRows& cone, double x, double y, std::size_t begin, std::size_t end,
-               TileBits& free, TileBits& occupied) {
-#ifdef PORTOLAN_X86
-  static const bool kHasAvx512 = __builtin_cpu_supports("avx512dq") != 0;
-  static const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
-  if (kHasAvx512) return draw_rows_avx512(cone, x, y, begin, end, free, occupied);
-  if (kHasAvx2) return draw_rows_avx2(cone, x, y, begin, end, free, occupied);
-#endif
-  return cone_rows_detail::draw_rows_portably(cone, x, y, begin, end, free, occupied);
+  return Pen<TwoRows>::draw(cone, x, y, begin, end, free, occupied);
 }
 
 }  // namespace portolan

@@ -98,7 +98,8 @@ CellRect Footprint::apply(TileMap& map, const CellUpdate& update, std::uint64_t 
   for (int band = 0; band < rows_ / kSide; ++band) {
     band_begin_ = static_cast<std::size_t>(std::max(0, first_row_ - band * kSide));
     band_end_ = static_cast<std::size_t>(std::min(kSide, end_row_ - band * kSide));
-    for (std::size_t i = band_begin_; i < band_end_; ++i) carry_[i] = struck_carry_[i] = 0;
+    carry_.fill(0);
+    struck_carry_.fill(0);
     carries_ = struck_carries_ = false;
     for (int strip = 0; strip < strips_; ++strip) {
       if (!take_bits(strip, band)) continue;
@@ -118,37 +119,14 @@ bool Footprint::take_bits(int strip, int band) {
   if (!has_free && !struck_carries_ && !is_struck_[tile] && !is_occupied_[tile]) return false;
   const std::size_t first =
       std::size_t(strip) * std::size_t(rows_) + std::size_t(band) * std::size_t(kSide);
-  for (std::size_t i = band_begin_; i < band_end_; ++i) {
-    freed_[i] = carry_[i];
-    hit_[i] = struck_carry_[i];
-  }
-  if (std::exchange(is_toggled_[tile], std::uint8_t{0}) != 0) {
-    carries_ = take_toggled(&toggled_[first], carry_, freed_);
-  }
-  if (std::exchange(is_struck_[tile], std::uint8_t{0}) != 0) {
-    struck_carries_ = take_toggled(&struck_[first], struck_carry_, hit_);
-  }
-  if (std::exchange(is_free_[tile], std::uint8_t{0}) != 0) {
-    for (std::size_t i = band_begin_; i < band_end_; ++i)
-      freed_[i] |= std::exchange(free_[first + i], 0);
-  }
-  if (std::exchange(is_occupied_[tile], std::uint8_t{0}) != 0) {
-    for (std::size_t i = band_begin_; i < band_end_; ++i)
-      hit_[i] |= std::exchange(occupied_[first + i], 0);
-  }
+  const auto marked = [&](std::vector<Word>& plane, std::vector<std::uint8_t>& marks) {
+    return std::exchange(marks[tile], std::uint8_t{0}) != 0 ? &plane[first] : nullptr;
+  };
+  carries_ = take_rows(marked(toggled_, is_toggled_), marked(free_, is_free_), band_begin_,
+                       band_end_, carry_, freed_);
+  struck_carries_ = take_rows(marked(struck_, is_struck_), marked(occupied_, is_occupied_),
+                              band_begin_, band_end_, struck_carry_, hit_);
   return true;
-}
-
-// Adds what a plane of edges encloses to the parity left of it; true where some of it goes on.
-bool Footprint::take_toggled(Word* toggled, TileBits& carry, TileBits& inside) const {
-  Word any = 0;
-  for (std::size_t i = band_begin_; i < band_end_; ++i) {
-    inside[i] ^= toggled[i];
-    carry[i] = Word{0} - (inside[i] >> 63);
-    any |= carry[i];
-    toggled[i] = 0;
-  }
-  return any != 0;
 }
 
 }  // namespace portolan

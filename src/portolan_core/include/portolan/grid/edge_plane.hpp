@@ -3,6 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+
+#include "portolan/grid/cell_rows.hpp"
+#include "portolan/grid/fine_walk.hpp"
 
 namespace portolan {
 
@@ -19,6 +23,28 @@ struct EdgePlane {
     words[strip * rows + row] ^= ~std::uint64_t{0} << (column & 63);
     marks[strip * bands + (row >> 6)] = 1;
   }
+
+  /// The same along an edge: in every row whose centre it passes, from the first cell whose centre
+  /// lies at it or right of it. Coordinates are those of the plane.
+  void toggle(FinePoint a, FinePoint b) const {
+    if (std::abs(b.y - a.y) > kLong) return toggle_long(a, b);
+    fine_walk::walk_rows(a, b, kOffset,
+                         [plane = *this](int row, int column) { plane.toggle_from(column, row); });
+  }
+
+  // The first column whose centre lies at x or right of it is ceil(x - 1/2).
+  static constexpr double kOffset = 0.5 - fine_walk::kNudge;
+
+ private:
+  static constexpr std::int32_t kLong = 16 * FinePoint::kCell;
+  void toggle_long(FinePoint a, FinePoint b) const;  // rows by a few, with the same result
 };
+
+/// Takes the bits of a tile's rows [begin, end) out of a plane of edges, and out of a plane of set
+/// bits, where a null is no plane. `carry` is the parity of the edges left of each row and becomes
+/// that of those left of the next tile; true where some is odd. Rows beside must be empty and may
+/// be taken as well.
+bool take_rows(std::uint64_t* toggled, std::uint64_t* set, std::size_t begin, std::size_t end,
+               TileBits& carry, TileBits& bits);
 
 }  // namespace portolan

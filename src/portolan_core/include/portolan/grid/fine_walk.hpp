@@ -28,24 +28,40 @@ inline int first_centre(std::int32_t p) {
   return (p + FinePoint::kCell / 2 - 1) >> FinePoint::kCellLog2;
 }
 
+/// A line on its way through the rows whose centres lie in [a.y, b.y) or [b.y, a.y).
+struct Walk {
+  int row = 0;                ///< the first one
+  int end = 0;                ///< the one after the last
+  std::int64_t position = 0;  ///< x + offset at the first row's centre, in cells, fixed point
+  std::int64_t step = 0;      ///< from row to row
+
+  /// Coordinates must not be negative.
+  Walk(FinePoint a, FinePoint b, double offset) : row(first_centre(a.y)), end(first_centre(b.y)) {
+    if (row == end) return;
+    if (row > end) {
+      std::swap(a, b);
+      std::swap(row, end);
+    }
+    const double slope = static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
+    constexpr int kHalf = FinePoint::kCell / 2;
+    const double to_first = row * FinePoint::kCell + kHalf - a.y;
+    const double x = (a.x + to_first * slope) * (1.0 / FinePoint::kCell) + offset;
+    position = static_cast<std::int64_t>(x * 0x1p49);
+    step = static_cast<std::int64_t>(slope * 0x1p49);
+  }
+
+  std::int64_t at(int in_row) const { return position + (in_row - row) * step; }
+};
+
 /// Calls visit(row, floor(x + offset)) for every row whose centre lies in [a.y, b.y) or [b.y, a.y),
 /// where x is the line's position at that centre, in cells. Coordinates must not be negative.
 template <class Visit>
 void walk_rows(FinePoint a, FinePoint b, double offset, Visit visit) {
-  int row = first_centre(a.y);
-  int end = first_centre(b.y);
-  if (row == end) return;
-  if (row > end) {
-    std::swap(a, b);
-    std::swap(row, end);
+  const Walk walk(a, b, offset);
+  std::int64_t position = walk.position;
+  for (int row = walk.row; row < walk.end; ++row, position += walk.step) {
+    visit(row, static_cast<int>(position >> kPlaces));
   }
-  const double slope = static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
-  constexpr int kHalf = FinePoint::kCell / 2;
-  const double to_first = row * FinePoint::kCell + kHalf - a.y;
-  const double x = (a.x + to_first * slope) * (1.0 / FinePoint::kCell) + offset;
-  auto position = static_cast<std::int64_t>(x * 0x1p49);
-  const auto step = static_cast<std::int64_t>(slope * 0x1p49);
-  for (; row < end; ++row, position += step) visit(row, static_cast<int>(position >> kPlaces));
 }
 
 }  // namespace fine_walk

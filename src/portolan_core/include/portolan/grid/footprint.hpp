@@ -38,26 +38,23 @@ class Footprint {
   /// An edge of the outline of the free region. The edges of all closed outlines together decide by
   /// the even-odd rule.
   void outline(FinePoint a, FinePoint b) {
-    walk(a, b, [toggled = edges(toggled_, is_toggled_)](int row, int column) {
-      toggled.toggle_from(column, row);
-    });
+    edges(toggled_, is_toggled_).toggle(in_window(a), in_window(b));
   }
 
   /// The same of the occupied region.
   void outline_occupied(FinePoint a, FinePoint b) {
-    walk(a, b, [struck = edges(struck_, is_struck_)](int row, int column) {
-      struck.toggle_from(column, row);
-    });
+    edges(struck_, is_struck_).toggle(in_window(a), in_window(b));
   }
 
   /// An edge of both.
   void outline_both(FinePoint a, FinePoint b) {
     const EdgePlane toggled = edges(toggled_, is_toggled_);
     const EdgePlane struck = edges(struck_, is_struck_);
-    walk(a, b, [toggled, struck](int row, int column) {
-      toggled.toggle_from(column, row);
-      struck.toggle_from(column, row);
-    });
+    fine_walk::walk_rows(in_window(a), in_window(b), EdgePlane::kOffset,
+                         [toggled, struck](int row, int column) {
+                           toggled.toggle_from(column, row);
+                           struck.toggle_from(column, row);
+                         });
   }
 
   /// Frees a polygon whatever it overlaps. Not between `outline`s.
@@ -91,15 +88,9 @@ class Footprint {
   std::size_t tile_at(int column, int row) const {
     return std::size_t(column >> 6) * std::size_t(rows_ >> 6) + std::size_t(row >> 6);
   }
-  template <class Visit>
-  void walk(FinePoint a, FinePoint b, Visit visit) {
-    // The first column whose centre lies at x or right of it is ceil(x - 1/2).
-    fine_walk::walk_rows(in_window(a), in_window(b), 0.5 - fine_walk::kNudge, visit);
-  }
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
   bool take_bits(int strip, int band);
-  bool take_toggled(Word* toggled, TileBits& carry, TileBits& inside) const;
 
   CellRect covered_;   // in the map
   Cell tile_;          // index of the window's lowest tile
