@@ -6,7 +6,10 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "portolan/observation/missing_directions.hpp"
 #include "portolan_ros/convert/basics.hpp"
 
 namespace portolan::ros_convert {
@@ -67,9 +70,8 @@ bool sizes_fit(const PointCloud2& message) {
          std::uint64_t{message.row_step} * (message.height - 1) + row <= message.data.size();
 }
 
-}  // namespace
-
-std::optional<Sensed<PointCloud>> point_cloud(const PointCloud2& message) {
+/// Each place's point, finite or not.
+std::optional<Sensed<PointCloud>> all_points(const PointCloud2& message) {
   const auto x = coordinate(message, "x");
   const auto y = coordinate(message, "y");
   const auto z = coordinate(message, "z");
@@ -80,12 +82,34 @@ std::optional<Sensed<PointCloud>> point_cloud(const PointCloud2& message) {
   for (std::size_t row = 0; row < height; ++row) {
     const std::uint8_t* point = message.data.data() + row * message.row_step;
     for (std::size_t column = 0; column < message.width; ++column, point += message.point_step) {
-      const Eigen::Vector3f p((*x)(point), (*y)(point), (*z)(point));
-      if (p.allFinite()) cloud.points.push_back(p);
+      cloud.points.emplace_back((*x)(point), (*y)(point), (*z)(point));
     }
   }
   const Time stamp = time(message.header.stamp);
   return Sensed<PointCloud>{message.header.frame_id, stamp, stamp, std::move(cloud)};
+}
+
+void drop_not_finite(std::vector<Eigen::Vector3f>& points) {
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [](const Eigen::Vector3f& p) { return !p.allFinite(); }),
+               points.end());
+}
+
+}  // namespace
+
+std::optional<Sensed<PointCloud>> point_cloud(const PointCloud2& message) {
+  auto sensed = all_points(message);
+  if (sensed) drop_not_finite(sensed->z.points);
+  return sensed;
+}
+
+std::optional<Sensed<PointCloud>> organized_cloud(const PointCloud2& message) {
+  auto sensed = all_points(message);
+  if (!sensed) return sensed;
+  if (message.height > 1)
+    sensed->z.no_returns = missing_directions(sensed->z.points, message.width);
+  drop_not_finite(sensed->z.points);
+  return sensed;
 }
 
 }  // namespace portolan::ros_convert

@@ -23,7 +23,8 @@ OctoFilter::OctoFilter(const Options& options, const PipelineOptions& pipeline,
       passes_all_(passes_all(options.box)),
       base_frame_(ros_convert::without_slash(pipeline.base_frame)),
       cell_(options.thin_points ? mapper.resolution : 0.0),
-      reach_(mapper.sensor_model.max_range) {
+      reach_(mapper.sensor_model.max_range),
+      no_return_(mapper.no_return) {
   if (options_.pointcloud_frame.empty()) options_.pointcloud_frame = pipeline.posing.odom_frame;
   options_.pointcloud_frame = ros_convert::without_slash(options_.pointcloud_frame);
 }
@@ -38,6 +39,7 @@ std::vector<std::string> OctoFilter::references(const PointCloud& /*cloud*/) con
 OctoMapper::Observation OctoFilter::operator()(PointCloud cloud,
                                                const PosedInput::SensorPose& pose) const {
   const std::vector<Pose>& T_reference_sensor = pose.T_reference_sensor;
+  if (no_return_ == NoReturn::ignore) cloud.no_returns = {};  // the log need not keep them
   if (!passes_all_) {
     cloud = pass_through(std::move(cloud), T_reference_sensor.front(), options_.box);
   }

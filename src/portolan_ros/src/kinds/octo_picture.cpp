@@ -73,11 +73,11 @@ class View {
   Picture::Colour colour(std::size_t i, std::uint32_t most) const {
     if (!known_[i]) return kUnknown;
     if (occupied_[i] == 0) return {254, 254, 254};
-    const double share = std::log1p(occupied_[i]) / std::log1p(most);
+    const double share = std::sqrt(static_cast<double>(occupied_[i]) / most);
     const auto part = [share](double lightest) {
       return static_cast<std::uint8_t>(std::lround(lightest * (1.0 - share)));
     };
-    return {part(150.0), part(180.0), static_cast<std::uint8_t>(50 + part(170.0))};
+    return {part(185.0), part(208.0), static_cast<std::uint8_t>(50 + part(190.0))};
   }
 
   Box box_;

@@ -175,5 +175,24 @@ TEST(PointCloudMessage, ThatIsMalformedIsNone) {
   EXPECT_FALSE(point_cloud(PointCloud2()));
 }
 
+TEST(OrganizedCloudMessage, SaysWhereNothingCameBack) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::vector<Eigen::Vector3d>> rows(5);
+  for (int row = 0; row < 5; ++row) {
+    for (int column = 0; column < 6; ++column) {
+      rows[static_cast<std::size_t>(row)].emplace_back(0.2 * column - 0.5, 0.2 * row - 0.4, 1.0);
+    }
+  }
+  const Eigen::Vector3d missing = rows[2][3];
+  rows[2][3] = {nan, nan, nan};
+  const auto sensed = organized_cloud(message_of(rows, {}));
+  ASSERT_TRUE(sensed);
+  EXPECT_EQ(sensed->z.points.size(), 29u);
+  ASSERT_EQ(sensed->z.no_returns.size(), 1u);
+  EXPECT_TRUE(sensed->z.no_returns[0].isApprox(missing.normalized().cast<float>(), 1e-5F));
+  EXPECT_TRUE(point_cloud(message_of(rows, {}))->z.no_returns.empty());
+  EXPECT_FALSE(organized_cloud(PointCloud2()));
+}
+
 }  // namespace
 }  // namespace portolan::ros_convert

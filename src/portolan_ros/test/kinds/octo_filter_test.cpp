@@ -79,6 +79,17 @@ TEST(OctoFilter, ThinsCloudsToTheResolution) {
   EXPECT_EQ(cloud_of(filter(options)(dense, pose({}))).points.size(), 1u);
 }
 
+TEST(OctoFilter, KeepsNoReturnsOnlyForAMapThatIsClearedByThem) {
+  PointCloud cloud = scene();
+  cloud.no_returns = {Eigen::Vector3f::UnitX()};
+  EXPECT_TRUE(cloud_of(filter({})(cloud, pose({}))).no_returns.empty());
+  OctoMapper::Options mapper = octo_options();
+  mapper.no_return = NoReturn::clear;
+  mapper.sensor_model.max_range = 5.0;
+  const OctoFilter keeps(OctoFilterOptions(), PipelineOptions(), mapper);
+  EXPECT_EQ(cloud_of(keeps(cloud, pose({}))).no_returns.size(), 1u);
+}
+
 TEST(OctoFilter, ItsBoxMustHaveSomeRoom) {
   OctoFilterOptions options;
   options.box.min_z = options.box.max_z = 1.0;

@@ -15,4 +15,8 @@ namespace portolan::ros_convert {
 /// the message states do not fit its data.
 std::optional<Sensed<PointCloud>> point_cloud(const sensor_msgs::PointCloud2& message);
 
+/// The same, and for a cloud in rows and columns the directions from which nothing came back: those
+/// of the places that hold no finite point. See `missing_directions`.
+std::optional<Sensed<PointCloud>> organized_cloud(const sensor_msgs::PointCloud2& message);
+
 }  // namespace portolan::ros_convert

@@ -65,6 +65,7 @@ class OctoFilter {
   std::string base_frame_;
   double cell_;   // [m], for thinning; 0: none
   double reach_;  // of rays that return nothing [m]
+  NoReturn no_return_;
 };
 
 }  // namespace portolan

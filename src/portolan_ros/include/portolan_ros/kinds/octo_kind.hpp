@@ -32,7 +32,7 @@ struct OctoKind {
   /// Calls `add(name, noun, converter)` for each input.
   template <class Add>
   static void inputs(Add&& add) {
-    add("cloud_in", "clouds", &ros_convert::point_cloud);
+    add("cloud_in", "clouds", &ros_convert::organized_cloud);
     add("scan", "scans", &ros_convert::range_scan);
   }
 
