@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "portolan/yaml_values.hpp"
+
 namespace portolan {
 
 namespace {
@@ -17,16 +19,11 @@ namespace {
 constexpr int kVersion = 1;
 using options_detail::format_double;
 
-template <class Matrix>
-std::string listed(const Matrix& matrix) {
-  std::string text = "[";
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
-      text += (text.size() == 1 ? "" : ", ") + format_double(matrix(row, column));
-    }
-  }
-  return text + "]";
-}
+using yaml_values::covariance;
+using yaml_values::finite_number;
+using yaml_values::listed;
+using yaml_values::matrix;
+using yaml_values::require;
 
 std::string shown(const BeaconMode& mode) {
   return "      - weight: " + format_double(mode.weight) + "\n        mean: " + listed(mode.mean) +
@@ -42,37 +39,6 @@ std::string shown(const BeaconEstimate& beacon) {
   return text;
 }
 
-void require(bool holds, const std::string& fault) {
-  if (!holds) throw std::runtime_error(fault);
-}
-
-double finite_number(const YAML::Node& node, const std::string& name) {
-  require(node.IsDefined() && node.IsScalar(), name + " is missing");
-  const auto value = node.as<double>();
-  require(std::isfinite(value), name + " is not finite");
-  return value;
-}
-
-template <int rows, int columns>
-Eigen::Matrix<double, rows, columns> matrix(const YAML::Node& node, const std::string& name) {
-  const std::size_t size = static_cast<std::size_t>(rows) * columns;
-  require(node.IsSequence() && node.size() == size,
-          name + " must have " + std::to_string(size) + " numbers");
-  Eigen::Matrix<double, rows, columns> values;
-  for (std::size_t i = 0; i < size; ++i) {
-    values(static_cast<int>(i) / columns, static_cast<int>(i) % columns) =
-        finite_number(node[i], name);
-  }
-  return values;
-}
-
-void require_covariance(const Eigen::Matrix3d& covariance, const std::string& name) {
-  const double size = covariance.norm();
-  require((covariance - covariance.transpose()).norm() <= 1e-9 * size, name + " is not symmetric");
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  require(solver.eigenvalues().minCoeff() >= -1e-9 * size, name + " has negative eigenvalues");
-}
-
 Hypothesis read_mode(const YAML::Node& node, const std::string& name) {
   Hypothesis hypothesis;
   const double weight = finite_number(node["weight"], name + ": weight");
@@ -80,8 +46,7 @@ Hypothesis read_mode(const YAML::Node& node, const std::string& name) {
   hypothesis.weight = weight;
   hypothesis.log_weight = std::log(weight);
   hypothesis.x = matrix<3, 1>(node["mean"], name + ": mean");
-  hypothesis.Q = matrix<3, 3>(node["covariance"], name + ": covariance");
-  require_covariance(hypothesis.Q, name + ": covariance");
+  hypothesis.Q = covariance(node["covariance"], name + ": covariance");
   return hypothesis;
 }
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "portolan/yaml_values.hpp"
+
 namespace portolan {
 
 namespace {
@@ -17,16 +19,11 @@ namespace {
 constexpr int kVersion = 1;
 using options_detail::format_double;
 
-template <class Matrix>
-std::string listed(const Matrix& matrix) {
-  std::string text = "[";
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
-      text += (text.size() == 1 ? "" : ", ") + format_double(matrix(row, column));
-    }
-  }
-  return text + "]";
-}
+using yaml_values::covariance;
+using yaml_values::finite_number;
+using yaml_values::listed;
+using yaml_values::matrix;
+using yaml_values::require;
 
 std::string shown_ray(const Place& ray) {
   return "    ray:\n      coordinates: " + listed(ray.mean) +
@@ -55,39 +52,6 @@ std::string shown(const LandmarkEstimate& landmark, const LandmarkTrack& track) 
   if (is_ray) return text + shown_ray(landmark.place);
   const bool hides_height = landmark.covariance(2, 2) != landmark.place.covariance(2, 2);
   return hides_height ? text + shown_height(landmark) : text;
-}
-
-void require(bool holds, const std::string& fault) {
-  if (!holds) throw std::runtime_error(fault);
-}
-
-double finite_number(const YAML::Node& node, const std::string& name) {
-  require(node.IsDefined() && node.IsScalar(), name + " is missing");
-  const auto value = node.as<double>();
-  require(std::isfinite(value), name + " is not finite");
-  return value;
-}
-
-template <int rows, int columns>
-Eigen::Matrix<double, rows, columns> matrix(const YAML::Node& node, const std::string& name) {
-  const std::size_t size = static_cast<std::size_t>(rows) * columns;
-  require(node.IsDefined() && node.IsSequence() && node.size() == size,
-          name + " must have " + std::to_string(size) + " numbers");
-  Eigen::Matrix<double, rows, columns> values;
-  for (std::size_t i = 0; i < size; ++i) {
-    values(static_cast<int>(i) / columns, static_cast<int>(i) % columns) =
-        finite_number(node[i], name);
-  }
-  return values;
-}
-
-Eigen::Matrix3d covariance(const YAML::Node& node, const std::string& name) {
-  const Eigen::Matrix3d read = matrix<3, 3>(node, name);
-  const double size = read.norm();
-  require((read - read.transpose()).norm() <= 1e-9 * size, name + " is not symmetric");
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(read, Eigen::EigenvaluesOnly);
-  require(solver.eigenvalues().minCoeff() >= -1e-9 * size, name + " has negative eigenvalues");
-  return read;
 }
 
 void read_ray(const YAML::Node& node, const std::string& name, Place& place) {

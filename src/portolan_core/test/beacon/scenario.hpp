@@ -3,29 +3,14 @@
 
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "portolan/beacon/beacon_mapper.hpp"
+#include "portolan/testing/dice.hpp"
 
 namespace portolan::beacon_test {
 
-/// Numbers that are the same on every standard library.
-class Dice {
- public:
-  explicit Dice(std::uint32_t seed) : engine_(seed) {}
-
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
-  }
-  double normal(double stddev) {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0)));
-    return stddev * radius * std::cos(2.0 * M_PI * uniform(0.0, 1.0));
-  }
-
- private:
-  std::mt19937 engine_;
-};
+using testing::Dice;
 
 inline BeaconRanges one_range(BeaconId id, double range, double stddev) {
   BeaconRanges z;
