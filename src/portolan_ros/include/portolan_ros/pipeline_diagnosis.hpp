@@ -4,30 +4,12 @@
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
 #include <cstddef>
-#include <string>
-#include <type_traits>
-#include <utility>
 
 #include "portolan_ros/diagnosis.hpp"
+#include "portolan_ros/kinds/kind_parts.hpp"
 #include "portolan_ros/pipeline.hpp"
 
 namespace portolan {
-
-namespace pipeline_detail {
-
-struct IgnoreCount {
-  void operator()(const char* /*what*/, std::size_t /*count*/) const {}
-};
-
-/// Whether the map itself counts something: `Kind::counts(map, add)`.
-template <class Kind, class = void>
-struct HasCounts : std::false_type {};
-template <class Kind>
-struct HasCounts<Kind, std::void_t<decltype(Kind::counts(
-                           std::declval<const typename Kind::Mapper&>(), IgnoreCount{}))>>
-    : std::true_type {};
-
-}  // namespace pipeline_detail
 
 /// Says how one map comes about: what became of the messages, the log and the corrections.
 template <class Kind>
@@ -42,10 +24,6 @@ class PipelineDiagnosis {
   void fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
     inputs_.fill(pipeline_.posed().tallies(), status);
     const auto& remapper = pipeline_.remapper();
-    if constexpr (pipeline_detail::HasCounts<Kind>::value) {
-      Kind::counts(remapper.map(),
-                   [&status](const char* what, std::size_t count) { status.add(what, count); });
-    }
     status.add("observations in the log", remapper.log_size());
     status.add("log [MB]", static_cast<double>(remapper.log_bytes()) * 1e-6);
     status.add("observations that corrections no longer move", remapper.frozen());

@@ -35,4 +35,12 @@ FileSet BeaconKind::pictures(const BeaconMapper& map, const std::string& name,
   return {{name + ".png", beacon_picture(scene, kSide).png()}};
 }
 
+std::map<std::string, std::uint64_t> BeaconKind::counts(const BeaconMapper& map) {
+  return {{"beacons", map.tracks().size()},
+          {"ranges taken", map.counts().taken},
+          {"ranges dropped: malformed", map.counts().malformed},
+          {"ranges dropped: too long", map.counts().too_long},
+          {"ranges dropped: beacons too many", map.counts().refused}};
+}
+
 }  // namespace portolan

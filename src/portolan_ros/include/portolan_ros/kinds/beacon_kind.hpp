@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,16 +30,6 @@ struct BeaconKind {
     add("beacon_ranges", "rangings", &ros_convert::beacon_ranges);
   }
 
-  /// Calls `add(what, count)` for what the map itself counts.
-  template <class Add>
-  static void counts(const BeaconMapper& map, Add&& add) {
-    add("beacons", map.tracks().size());
-    add("ranges taken", map.counts().taken);
-    add("ranges dropped: malformed", map.counts().malformed);
-    add("ranges dropped: too long", map.counts().too_long);
-    add("ranges dropped: beacons too many", map.counts().refused);
-  }
-
   /// `<name>.yaml`.
   static FileSet save(const BeaconMapper& map, const std::string& name,
                       const MapperNodeOptions<BeaconKind>& options);
@@ -49,6 +41,9 @@ struct BeaconKind {
   /// A PNG from above of all modes, with the robot's way in it.
   static FileSet pictures(const BeaconMapper& map, const std::string& name,
                           const std::vector<Pose>& T_map_base);
+
+  /// What became of the ranges, by name.
+  static std::map<std::string, std::uint64_t> counts(const BeaconMapper& map);
 };
 
 }  // namespace portolan
