@@ -52,24 +52,14 @@ void Footprint::fill(std::vector<Word>& into, const FinePoint* corners, int coun
 void Footprint::ray(FinePoint a, FinePoint b) {
   a = in_window(a);
   b = in_window(b);
-  const auto mark = [this](int column, int row) {
-    word(free_, column, row) |= Word{1} << (column & 63);
-    is_free_[tile_at(column, row)] = 1;
-  };
+  const EdgePlane free = edges(free_, is_free_);
   if (std::abs(b.y - a.y) >= std::abs(b.x - a.x)) {
-    fine_walk::walk_rows(a, b, fine_walk::kNudge, [&](int row, int column) { mark(column, row); });
+    fine_walk::walk_rows(a, b, fine_walk::kNudge,
+                         [free](int row, int column) { free.set(column, row); });
   } else {
     fine_walk::walk_rows({a.y, a.x}, {b.y, b.x}, fine_walk::kNudge,
-                         [&](int column, int row) { mark(column, row); });
+                         [free](int column, int row) { free.set(column, row); });
   }
-}
-
-void Footprint::occupy(FinePoint p) {
-  p = in_window(p);
-  const int column = p.x >> kFineLog2;
-  const int row = p.y >> kFineLog2;
-  word(occupied_, column, row) |= Word{1} << (column & 63);
-  is_occupied_[tile_at(column, row)] = 1;
 }
 
 void Footprint::settle(std::vector<Word>& into, FinePoint min, FinePoint max) {

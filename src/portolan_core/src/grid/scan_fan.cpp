@@ -42,19 +42,17 @@ void ScanFan::make_sectors() {
     }
     if (!joined) add_half(i, -1.0);
     joined = i + 1 < n ? joins && beams_.frees(i + 1) : wraps && beams_.frees(0);
-    if (joined) {
-      add_between(i, next(i));
+    if (joined && is_in_first_turn(i, next(i))) {
+      is_rim_[i] = 1;
+    } else if (joined) {
+      add_overlapping(i, next(i));
     } else {
       add_half(i, 1.0);
     }
   }
 }
 
-void ScanFan::add_between(std::size_t i, std::size_t next) {
-  if (is_in_first_turn(i, next)) {
-    is_rim_[i] = 1;
-    return;
-  }
+void ScanFan::add_overlapping(std::size_t i, std::size_t next) {
   overlapping_.push_back({beams_.end(i), beams_.end(next)});
   if (i < beams_.first_turn()) outline_.push_back({beams_.end(i), beams_.centre()});
   if (next < beams_.first_turn()) outline_.push_back({beams_.centre(), beams_.end(next)});

@@ -24,6 +24,13 @@ struct EdgePlane {
     marks[strip * bands + (row >> 6)] = 1;
   }
 
+  /// Sets the bit of a cell, in a plane that holds no edges but cells.
+  void set(int column, int row) const {
+    const std::ptrdiff_t strip = column >> 6;
+    words[strip * rows + row] |= std::uint64_t{1} << (column & 63);
+    marks[strip * bands + (row >> 6)] = 1;
+  }
+
   /// The same along an edge: in every row whose centre it passes, from the first cell whose centre
   /// lies at it or right of it. Coordinates are those of the plane.
   void toggle(FinePoint a, FinePoint b) const {

@@ -68,7 +68,10 @@ class Footprint {
   void ray(FinePoint a, FinePoint b);
 
   /// Occupies the cell that holds the point.
-  void occupy(FinePoint p);
+  void occupy(FinePoint p) {
+    p = in_window(p);
+    edges(occupied_, is_occupied_).set(p.x >> kFineLog2, p.y >> kFineLog2);
+  }
 
   /// Puts the footprint into a map, whose tiles get this revision; the footprint is empty then.
   /// Returns the cells that it covers at most.

@@ -24,7 +24,7 @@ class ScanFan {
     FinePoint b;  // with the centre they are the corners of a sector
   };
   void make_sectors();
-  void add_between(std::size_t i, std::size_t next);
+  void add_overlapping(std::size_t i, std::size_t next);
   void add_half(std::size_t i, double side);
   void join_echoes();
   void draw_rays(Footprint& footprint) const;
