@@ -16,7 +16,8 @@ namespace portolan::ros_convert {
 std::optional<Sensed<PointCloud>> point_cloud(const sensor_msgs::PointCloud2& message);
 
 /// The same, and for a cloud in rows and columns the directions from which nothing came back: those
-/// of the places that hold no finite point. See `missing_directions`.
+/// of the places that hold no finite point. See `missing_directions`. A place that saw something
+/// too near holds no point either, and no message tells it from one that saw nothing.
 std::optional<Sensed<PointCloud>> organized_cloud(const sensor_msgs::PointCloud2& message);
 
 }  // namespace portolan::ros_convert
