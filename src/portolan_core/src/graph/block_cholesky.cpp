@@ -221,46 +221,50 @@ void BlockCholesky<n>::find_smallest_pivot(const BlockMatrix<n>& matrix, double 
 
 template <int n>
 void BlockCholesky<n>::solve(Eigen::VectorXd& x) const {
-  const std::vector<Supernode>& supernodes = pattern_->supernodes();
   Eigen::VectorXd ordered(x.size());
   for (std::size_t node = 0; node < diagonal_.size(); ++node) {
     ordered.segment<n>(pattern_->place()[node] * Index{n}) =
         x.segment<n>(static_cast<Index>(node) * n);
   }
   Eigen::VectorXd dense;
-  const auto rows_below = [&](const Supernode& supernode) {
-    return pattern_->rows().data() + supernode.below;
-  };
-  for (std::size_t s = 0; s < supernodes.size(); ++s) {
-    const Supernode& supernode = supernodes[s];
-    const Index columns = supernode.columns() * Index{n};
-    const Index rows = supernode.height * Index{n};
-    const int* below = rows_below(supernode);
-    dense.setZero(rows);
-    dense.head(columns) = ordered.segment(supernode.first * Index{n}, columns);
-    dense_kernels().solve_forward(panel(s), panel_step<n>(supernode), rows, columns, dense.data());
-    ordered.segment(supernode.first * Index{n}, columns) = dense.head(columns);
-    for (int i = 0; i < supernode.rows_below(); ++i) {
-      ordered.segment<n>(below[i] * Index{n}) += dense.segment<n>(columns + i * n);
-    }
-  }
-  for (std::size_t s = supernodes.size(); s-- > 0;) {
-    const Supernode& supernode = supernodes[s];
-    const Index columns = supernode.columns() * Index{n};
-    const Index rows = supernode.height * Index{n};
-    const int* below = rows_below(supernode);
-    dense.resize(rows);
-    dense.head(columns) = ordered.segment(supernode.first * Index{n}, columns);
-    for (int i = 0; i < supernode.rows_below(); ++i) {
-      dense.segment<n>(columns + i * n) = ordered.segment<n>(below[i] * Index{n});
-    }
-    dense_kernels().solve_backward(panel(s), panel_step<n>(supernode), rows, columns, dense.data());
-    ordered.segment(supernode.first * Index{n}, columns) = dense.head(columns);
-  }
+  for (std::size_t s = 0; s < begin_.size(); ++s) solve_forward(s, dense, ordered);
+  for (std::size_t s = begin_.size(); s-- > 0;) solve_backward(s, dense, ordered);
   for (std::size_t node = 0; node < diagonal_.size(); ++node) {
     x.segment<n>(static_cast<Index>(node) * n) =
         ordered.segment<n>(pattern_->place()[node] * Index{n});
   }
+}
+
+template <int n>
+void BlockCholesky<n>::solve_forward(std::size_t s, Eigen::VectorXd& dense,
+                                     Eigen::VectorXd& x) const {
+  const Supernode& supernode = pattern_->supernodes()[s];
+  const Index columns = supernode.columns() * Index{n};
+  const Index rows = supernode.height * Index{n};
+  const int* below = pattern_->rows().data() + supernode.below;
+  dense.setZero(rows);
+  dense.head(columns) = x.segment(supernode.first * Index{n}, columns);
+  dense_kernels().solve_forward(panel(s), panel_step<n>(supernode), rows, columns, dense.data());
+  x.segment(supernode.first * Index{n}, columns) = dense.head(columns);
+  for (int i = 0; i < supernode.rows_below(); ++i) {
+    x.segment<n>(below[i] * Index{n}) += dense.segment<n>(columns + i * n);
+  }
+}
+
+template <int n>
+void BlockCholesky<n>::solve_backward(std::size_t s, Eigen::VectorXd& dense,
+                                      Eigen::VectorXd& x) const {
+  const Supernode& supernode = pattern_->supernodes()[s];
+  const Index columns = supernode.columns() * Index{n};
+  const Index rows = supernode.height * Index{n};
+  const int* below = pattern_->rows().data() + supernode.below;
+  dense.resize(rows);
+  dense.head(columns) = x.segment(supernode.first * Index{n}, columns);
+  for (int i = 0; i < supernode.rows_below(); ++i) {
+    dense.segment<n>(columns + i * n) = x.segment<n>(below[i] * Index{n});
+  }
+  dense_kernels().solve_backward(panel(s), panel_step<n>(supernode), rows, columns, dense.data());
+  x.segment(supernode.first * Index{n}, columns) = dense.head(columns);
 }
 
 template class BlockCholesky<1>;

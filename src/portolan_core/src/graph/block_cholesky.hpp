@@ -45,6 +45,9 @@ class BlockCholesky {
   void take_over(const Update& child, std::size_t supernode, double* update);
   void find_smallest_pivot(const BlockMatrix<n>& matrix, double damping);
 
+  void solve_forward(std::size_t s, Eigen::VectorXd& dense, Eigen::VectorXd& x) const;
+  void solve_backward(std::size_t s, Eigen::VectorXd& dense, Eigen::VectorXd& x) const;
+
   const BlockPattern* pattern_;
   std::vector<std::size_t> begin_;      // by supernode: its panel in values_
   std::vector<std::size_t> diagonal_;   // by node: its block in values_

@@ -7,7 +7,7 @@ template <class Motion>
 double NormalEquations<Motion>::linearize(const Problem<Motion>& problem,
                                           const std::vector<typename Motion::State>& states,
                                           const Kernel& kernel) {
-  constexpr int n = Motion::kSize;
+  constexpr int kSize = Motion::kSize;
   using Matrix = typename Motion::Matrix;
   double total = 0.0;
   H.set_zero();
@@ -24,11 +24,11 @@ double NormalEquations<Motion>::linearize(const Problem<Motion>& problem,
     const Matrix w_to = weight * (term.information * l.H_to);
     if (from >= 0) {
       H.diagonal[static_cast<std::size_t>(from)].noalias() += l.H_from.transpose() * w_from;
-      g.template segment<n>(from * n).noalias() += weight * (l.H_from.transpose() * w_r);
+      g.template segment<kSize>(from * kSize).noalias() += weight * (l.H_from.transpose() * w_r);
     }
     if (to >= 0) {
       H.diagonal[static_cast<std::size_t>(to)].noalias() += l.H_to.transpose() * w_to;
-      g.template segment<n>(to * n).noalias() += weight * (l.H_to.transpose() * w_r);
+      g.template segment<kSize>(to * kSize).noalias() += weight * (l.H_to.transpose() * w_r);
     }
     if (term.pair < 0) continue;
     auto& beside = H.beside[static_cast<std::size_t>(term.pair)];

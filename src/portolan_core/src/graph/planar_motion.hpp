@@ -69,7 +69,8 @@ inline PlanarMotion::State PlanarMotion::state(const Pose& pose) {
   return turned(pose.translation().head<2>(), yaw(pose));
 }
 
-inline PlanarMotion::Matrix PlanarMotion::information(const TangentMatrix& m) {
+inline PlanarMotion::Matrix PlanarMotion::information(const TangentMatrix& information) {
+  const TangentMatrix& m = information;
   Matrix planar;
   planar << m.topLeftCorner<2, 2>(), m.block<2, 1>(0, 5), m.block<1, 2>(5, 0), m(5, 5);
   return planar;

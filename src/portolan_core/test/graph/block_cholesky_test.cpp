@@ -70,15 +70,15 @@ using Sizes = ::testing::Types<Blocks<1>, Blocks<2>, Blocks<3>, Blocks<6>>;
 TYPED_TEST_SUITE(BlockCholeskyTest, Sizes);
 
 TYPED_TEST(BlockCholeskyTest, solves_as_a_dense_factor_does) {
-  constexpr int n = TypeParam::value;
+  constexpr int kSize = TypeParam::value;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::mt19937_64 random(seed);
     const int size = 2 + static_cast<int>(random() % 60);
     const std::size_t chords = size < 5 ? 0 : random() % static_cast<std::size_t>(2 * size);
     const Pairs pairs = random_pairs(size, chords, random);
-    const BlockMatrix<n> matrix = random_matrix<n>(size, pairs, random);
+    const BlockMatrix<kSize> matrix = random_matrix<kSize>(size, pairs, random);
     const BlockPattern pattern(Neighbours(size, pairs));
-    BlockCholesky<n> cholesky(pattern, matrix);
+    BlockCholesky<kSize> cholesky(pattern, matrix);
     for (const double damping : {0.0, 0.5}) {
       Eigen::MatrixXd all = dense(matrix);
       all.diagonal() *= 1.0 + damping;
@@ -95,24 +95,24 @@ TYPED_TEST(BlockCholeskyTest, solves_as_a_dense_factor_does) {
 }
 
 TYPED_TEST(BlockCholeskyTest, solves_without_pairs) {
-  constexpr int n = TypeParam::value;
-  BlockMatrix<n> matrix(3, {});
+  constexpr int kSize = TypeParam::value;
+  BlockMatrix<kSize> matrix(3, {});
   for (auto& block : matrix.diagonal) block.diagonal().setConstant(4.0);
   const BlockPattern pattern(Neighbours(3, {}));
-  BlockCholesky<n> cholesky(pattern, matrix);
+  BlockCholesky<kSize> cholesky(pattern, matrix);
   ASSERT_TRUE(cholesky.factor(matrix));
-  Eigen::VectorXd x = Eigen::VectorXd::Constant(3 * n, 8.0);
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(3 * kSize, 8.0);
   cholesky.solve(x);
-  EXPECT_EQ(x, Eigen::VectorXd::Constant(3 * n, 2.0));
+  EXPECT_EQ(x, Eigen::VectorXd::Constant(3 * kSize, 2.0));
 }
 
 TYPED_TEST(BlockCholeskyTest, tells_what_is_not_positive) {
-  constexpr int n = TypeParam::value;
+  constexpr int kSize = TypeParam::value;
   std::mt19937_64 random(7);
   const Pairs pairs = random_pairs(20, 20, random);
-  BlockMatrix<n> matrix = random_matrix<n>(20, pairs, random);
+  BlockMatrix<kSize> matrix = random_matrix<kSize>(20, pairs, random);
   const BlockPattern pattern(Neighbours(20, pairs));
-  BlockCholesky<n> cholesky(pattern, matrix);
+  BlockCholesky<kSize> cholesky(pattern, matrix);
   ASSERT_TRUE(cholesky.factor(matrix));
   EXPECT_GT(cholesky.smallest_pivot(), 1e-6);
   EXPECT_LE(cholesky.smallest_pivot(), 1.0);

@@ -59,7 +59,7 @@ TEST(Marginals, add_up_along_a_chain) {
 
 template <class Motion>
 void expect_dense_inverse(GraphSpace space) {
-  constexpr int n = Motion::kSize;
+  constexpr int kSize = Motion::kSize;
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Graph graph = solved(space, seed);
     const Problem<Motion> problem(graph, spanning_tree(graph));
@@ -75,8 +75,8 @@ void expect_dense_inverse(GraphSpace space) {
     const Marginals marginals(graph);
     const auto all = marginals.covariances();
     for (std::size_t i = 0; i < problem.pose.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i) * n;
-      const typename Motion::Matrix expected = inverse.block<n, n>(at, at);
+      const auto at = static_cast<Eigen::Index>(i) * kSize;
+      const typename Motion::Matrix expected = inverse.block<kSize, kSize>(at, at);
       const std::size_t pose = problem.pose[i];
       EXPECT_TRUE(Motion::information(all[pose]).isApprox(expected, 1e-7)) << seed;
       if (i % 7 != 0) continue;
