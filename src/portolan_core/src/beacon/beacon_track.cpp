@@ -34,7 +34,7 @@ void BeaconTrack::update(const PosedRange& z, const CalibrationPrior& prior,
     weigh(z, prior, others, options);
     const double p_right = normalize_and_prune(options);
     if (polar_) straighten(prior.given(others));
-    merge_close(options.merge_distance, ranges_, hypotheses_);
+    merge_close(options.merge_distance, ranges_, z, hypotheses_);
     if (p_right < 0.5) ++outliers_;
     fit_ += (p_right - fit_) / options.restart.memory;
     if (options.restart.enabled && fit_ < options.restart.fit_below) {

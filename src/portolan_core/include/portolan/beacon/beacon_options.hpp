@@ -90,7 +90,7 @@ struct BeaconOptions {
   std::size_t max_beacons = 256;
   std::size_t max_modes = 2000;
   double prune_below = 1e-4;
-  double merge_distance = 1.5;
+  double merge_distance = 1.0;
   double ambiguous_share = 0.1;
   RangeOutlierOptions outliers;
   RangeCalibrationOptions calibration;
@@ -119,7 +119,8 @@ struct BeaconOptions {
     visit("prune_below", self.prune_below, "a mode lighter than this share of the heaviest goes",
           between(0.0, 1.0));
     visit("merge_distance", self.merge_distance,
-          "modes closer than this Mahalanobis distance become one; in a crowd, 0.6 of it",
+          "modes closer than this Mahalanobis distance become one; in a crowd, 0.6 of it; 2.5 "
+          "times as far where ranges are linear",
           within(0.0, 3.0));
     visit("ambiguous_share", self.ambiguous_share,
           "a beacon is ambiguous while modes elsewhere hold more than this weight",
