@@ -80,11 +80,12 @@ CalibrationPrior read_calibration(const YAML::Node& node, CalibrationPrior prior
   return prior;
 }
 
-double read_drift(const YAML::Node& node, double otherwise) {
-  if (!node.IsDefined()) return otherwise;
-  const double drift = finite_number(node, "drift");
-  require(drift >= 0.0, "drift must be at least 0");
-  return drift;
+double read_at_least(double least, const YAML::Node& root, const std::string& name,
+                     double otherwise) {
+  if (!root[name].IsDefined()) return otherwise;
+  const double value = finite_number(root[name], name);
+  require(value >= least, name + " must be at least " + format_double(least));
+  return value;
 }
 
 BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
@@ -100,7 +101,8 @@ BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
   }
   const BeaconMapper fresh(options);
   const CalibrationPrior prior = read_calibration(root["calibration"], fresh.knowledge());
-  return BeaconMapper::restored(options, prior, read_drift(root["drift"], fresh.drift()),
+  return BeaconMapper::restored(options, prior, read_at_least(0.0, root, "drift", fresh.drift()),
+                                read_at_least(1.0, root, "noise", fresh.noise()),
                                 std::move(tracks));
 }
 
@@ -110,6 +112,7 @@ std::string to_yaml(const BeaconMapper& mapper) {
   const CalibrationPrior known = mapper.knowledge();
   std::string text = "version: " + std::to_string(kVersion) +
                      "\ndrift: " + format_double(mapper.drift()) +
+                     "\nnoise: " + format_double(mapper.noise()) +
                      "\ncalibration:\n  scale: " + format_double(known.scale) +
                      "\n  bias: " + format_double(known.bias) +
                      "\n  information: " + listed(known.information) + "\nbeacons:";

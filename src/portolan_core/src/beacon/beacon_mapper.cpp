@@ -52,10 +52,12 @@ bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
     if (tracks_.size() == options_.max_beacons) return ++counts_.refused, false;
     track = tracks_.emplace(z.id, BeaconTrack{}).first;
   }
-  const PosedRange range{p_map, z.range, z.stddev > 0.0 ? z.stddev : options_.stddev};
+  const double stated = z.stddev > 0.0 ? z.stddev : options_.stddev;
+  const PosedRange range{p_map, z.range, noise_ * stated};
   const CalibrationFactor others = evidence_ - track->second.contribution();
   track->second.update(range, prior_, others, drift_, options_);
   if (options_.learn_drift) learn_drift(track->second.lag());
+  if (options_.learn_noise) learn_noise(track->second.surprise());
   evidence_ = others + track->second.contribution();
   ++counts_.taken;
   return true;
@@ -71,6 +73,15 @@ void BeaconMapper::learn_drift(double lag) {
   if (lag == 0.0) return;
   drift_ = std::clamp(drift_ * std::exp(kGain * (lag - kTolerated)), kLeast * options_.drift,
                       kMost * options_.drift);
+}
+
+// Honest deviations make the square of innovations, those cut off at 2 deviations, 0.92 on average.
+void BeaconMapper::learn_noise(double surprise) {
+  constexpr double kGain = 0.005;
+  constexpr double kExpected = 0.92;
+  constexpr double kMost = 50.0;
+  if (surprise == 0.0) return;
+  noise_ = std::clamp(noise_ * std::exp(kGain * (surprise * surprise - kExpected)), 1.0, kMost);
 }
 
 CalibrationPrior BeaconMapper::knowledge() const {
@@ -106,10 +117,12 @@ std::vector<BeaconEstimate> BeaconMapper::estimates() const {
 }
 
 BeaconMapper BeaconMapper::restored(const Options& options, const CalibrationPrior& prior,
-                                    double drift, std::map<BeaconId, BeaconTrack> tracks) {
+                                    double drift, double noise,
+                                    std::map<BeaconId, BeaconTrack> tracks) {
   BeaconMapper mapper(options);
   mapper.prior_ = prior;
   mapper.drift_ = drift;
+  mapper.noise_ = noise;
   mapper.tracks_ = std::move(tracks);
   for (const auto& [id, track] : mapper.tracks_) mapper.counts_.taken += track.ranges();
   return mapper;

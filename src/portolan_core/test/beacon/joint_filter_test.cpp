@@ -69,6 +69,7 @@ TEST(JointEstimate, OfBeaconsAndCalibrationEqualsOneLargeFilter) {
   JointFilter joint(variance, Q, start);
 
   BeaconOptions options;
+  options.learn_noise = false;
   options.drift = 0.0;
   options.outliers.share = 1e-12;
   CalibrationPrior prior;
@@ -80,7 +81,7 @@ TEST(JointEstimate, OfBeaconsAndCalibrationEqualsOneLargeFilter) {
     h.Q = Q;
     tracks.emplace(id, BeaconTrack::restored({h}, 1, 0, 0, options));
   }
-  BeaconMapper mapper = BeaconMapper::restored(options, prior, 0.0, std::move(tracks));
+  BeaconMapper mapper = BeaconMapper::restored(options, prior, 0.0, 1.0, std::move(tracks));
 
   Dice dice(11);
   for (int step = 0; step < 300; ++step) {

@@ -36,6 +36,7 @@ inline Pose figure_11(int step, int straight_steps) {
 inline BeaconOptions calibrated() {
   BeaconOptions options;
   options.drift = 0.0;
+  options.learn_noise = false;
   options.calibration.scale_stddev = 0.0;
   options.calibration.bias_stddev = 0.0;
   return options;

@@ -94,6 +94,7 @@ portolan_msgs::BeaconMap beacon_map(const BeaconMapper& mapper) {
   }
   message.calibration = range_calibration(mapper.calibration());
   message.drift = mapper.drift();
+  message.noise = mapper.noise();
   message.ranges_taken = mapper.counts().taken;
   message.ranges_malformed = mapper.counts().malformed;
   message.ranges_too_long = mapper.counts().too_long;

@@ -40,6 +40,7 @@ struct View {
 };
 
 Eigen::AlignedBox2d extent_of(const BeaconScene& scene) {
+  if (scene.extent) return *scene.extent;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : scene.way) box.extend(p.head<2>());
   for (const Eigen::Vector3d& p : scene.truth) box.extend(p.head<2>());

@@ -119,6 +119,7 @@ TEST(BeaconMapMessage, SaysAllThatTheMapperKnows) {
   EXPECT_EQ(map.calibration.covariance[1], mapper.calibration().covariance(0, 1));
   EXPECT_EQ(map.calibration.covariance[3], mapper.calibration().covariance(1, 1));
   EXPECT_EQ(map.drift, mapper.drift());
+  EXPECT_EQ(map.noise, mapper.noise());
 }
 
 TEST(BeaconMapMessage, SaysWhereToDriveForTheAmbiguousOne) {

@@ -44,15 +44,20 @@ class BeaconMapper {
   /// How far poses drift per root of the way travelled, as learnt so far [m/sqrt(m)].
   double drift() const { return drift_; }
 
+  /// How many times wider ranges spread than they state, as learnt so far; at least 1.
+  double noise() const { return noise_; }
+
   const BeaconCounts& counts() const { return counts_; }
   const Options& options() const { return options_; }
 
-  /// A mapper that goes on from saved tracks and from what was known of calibration and drift.
+  /// A mapper that goes on from saved tracks and from what was known of calibration, drift and
+  /// noise.
   static BeaconMapper restored(const Options& options, const CalibrationPrior& prior, double drift,
-                               std::map<BeaconId, BeaconTrack> tracks);
+                               double noise, std::map<BeaconId, BeaconTrack> tracks);
 
  private:
   void learn_drift(double lag);
+  void learn_noise(double surprise);
   bool take(const BeaconRange& z, const Eigen::Vector3d& p_map);
 
   Options options_;
@@ -60,6 +65,7 @@ class BeaconMapper {
   CalibrationFactor evidence_;  // the sum of the tracks' contributions
   std::map<BeaconId, BeaconTrack> tracks_;
   double drift_;
+  double noise_ = 1.0;
   BeaconCounts counts_;
 };
 

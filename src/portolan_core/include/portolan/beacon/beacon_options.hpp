@@ -84,6 +84,7 @@ struct BeaconOptions {
   double stddev = 0.3;
   double drift = 0.05;
   bool learn_drift = true;
+  bool learn_noise = true;
   double height = 0.0;
   double elevation_min = -1.5707963267948966;
   double elevation_max = 1.5707963267948966;
@@ -105,6 +106,8 @@ struct BeaconOptions {
           at_least(0.0));
     visit("learn_drift", self.learn_drift,
           "take that as a first guess and learn it from the ranges; off for poses known exactly");
+    visit("learn_noise", self.learn_noise,
+          "believe that ranges spread wider than they state where they do");
     visit("height", self.height, "of the beacons above the antenna, where the space is planar [m]");
     visit("elevation_min", self.elevation_min,
           "of beacons seen from the antenna, where the space is spatial [rad]",

@@ -21,6 +21,9 @@ class BeaconTrack {
   /// nothing drifts, above where places lag behind. 0 while ambiguous.
   double lag() const { return lag_; }
 
+  /// The innovation of the last range in standard deviations, 2 at most. 0 while ambiguous.
+  double surprise() const { return surprise_; }
+
   /// Never empty after the first range; the heaviest may stand anywhere. Weights sum to 1.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
   /// The same with polar ones replaced by as many in x, y, z as it takes.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "portolan/beacon/beacon_estimate.hpp"
@@ -12,8 +14,9 @@ namespace portolan {
 /// What a picture of beacons shows.
 struct BeaconScene {
   std::vector<BeaconEstimate> beacons;
-  std::vector<Eigen::Vector3d> way;    ///< of the robot, in the map [m]
-  std::vector<Eigen::Vector3d> truth;  ///< where beacons really are, if that is known [m]
+  std::vector<Eigen::Vector3d> way;           ///< of the robot, in the map [m]
+  std::vector<Eigen::Vector3d> truth;         ///< where beacons really are, if that is known [m]
+  std::optional<Eigen::AlignedBox2d> extent;  ///< what to show [m]; none: all that there is
 };
 
 /// The scene from above: each mode as an ellipse of two standard deviations, the heavier the
