@@ -62,6 +62,23 @@ bool is_far_ahead(Time stamp, Time now) {
 
 bool is_frame_name(const std::string& name) { return !name.empty() && name.front() != '/'; }
 
+// Without its last bits. tf2 interpolates between a stamp and itself or not, depending on which of
+// its neighbours have come already; the map must not depend on that.
+geometry_msgs::Transform rounded(geometry_msgs::Transform transform) {
+  constexpr double kLength = 4294967296.0;       // steps in a metre
+  constexpr double kRotation = 1099511627776.0;  // steps of a quaternion's parts
+  const auto round = [](double& value, double steps) { value = std::round(value * steps) / steps; };
+  for (double* length :
+       {&transform.translation.x, &transform.translation.y, &transform.translation.z}) {
+    round(*length, kLength);
+  }
+  for (double* part : {&transform.rotation.x, &transform.rotation.y, &transform.rotation.z,
+                       &transform.rotation.w}) {
+    round(*part, kRotation);
+  }
+  return transform;
+}
+
 }  // namespace
 
 PosedInput::PosedInput(const PosedInputOptions& options)
@@ -215,7 +232,7 @@ std::optional<Pose> PosedInput::look_up(const std::string& target, const std::st
   // Asking first is far cheaper than an exception for each message that waits, at each transform.
   if (!is_frame_name(frame) || !tf_.canTransform(target, frame, time)) return std::nullopt;
   try {
-    return ros_convert::pose(tf_.lookupTransform(target, frame, time).transform);
+    return ros_convert::pose(rounded(tf_.lookupTransform(target, frame, time).transform));
   } catch (const tf2::TransformException&) {
     return std::nullopt;
   }

@@ -79,7 +79,7 @@ class BeaconsAmbiguity(beacons.BeaconCase):
         listener = self.listener()
         self.closing(Node(self.namespace, program="robot_sim", parameters=SIMULATOR))
 
-        driver.drive(0.6, 0.0, until=lambda p: p.x > 5.0)
+        driver.drive(0.6, 0.0, until=lambda p: p.x > 6.0)
         beacon = self.settled(listener, driver)
         self.assertEqual(len(beacon.weights), 2)
         self.assertLess(abs(beacon.weights[0] - 0.5), 0.1)
