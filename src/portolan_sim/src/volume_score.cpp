@@ -23,8 +23,8 @@ std::optional<bool> is_occupied(const OctoMapper& map, const Eigen::Vector3d& p_
 bool is_occupied_nearby(const OctoMapper& map, const Eigen::Vector3d& centre) {
   const double side = map.lattice().resolution();
   for (int i = 0; i < 27; ++i) {
-    const Eigen::Vector3d step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    if (is_occupied(map, centre + side * step).value_or(false)) return true;
+    const Eigen::Vector3i step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (is_occupied(map, centre + side * step.cast<double>()).value_or(false)) return true;
   }
   return false;
 }

@@ -62,8 +62,9 @@ std::optional<Points> seen_by_camera(const Points& points, std::size_t width, in
     const Eigen::Vector3d p = points[i].cast<double>();
     if (!p.allFinite()) continue;
     if (!(p[forward] > 0.0)) return std::nullopt;
+    const std::size_t row = i / width;
     columns.add(static_cast<double>(i % width), p[across] / p[forward]);
-    rows.add(static_cast<double>(i / width), p[down] / p[forward]);
+    rows.add(static_cast<double>(row), p[down] / p[forward]);
   }
   const auto x = columns.line();
   const auto y = rows.line();
@@ -71,10 +72,11 @@ std::optional<Points> seen_by_camera(const Points& points, std::size_t width, in
   Points directions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].allFinite()) continue;
+    const std::size_t row = i / width;
     Eigen::Vector3d ray;
     ray[forward] = 1.0;
     ray[across] = (*x)(static_cast<double>(i % width));
-    ray[down] = (*y)(static_cast<double>(i / width));
+    ray[down] = (*y)(static_cast<double>(row));
     directions.emplace_back(ray.normalized().cast<float>());
   }
   return directions;

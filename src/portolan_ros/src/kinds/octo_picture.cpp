@@ -44,8 +44,9 @@ class View {
         occupied_(known_.size(), 0) {}
 
   void add(const std::array<int, 3>& voxel, bool is_occupied) {
-    const auto i = static_cast<std::size_t>((box_.high[up_] - 1 - voxel[up_]) / span_ * width_ +
-                                            (voxel[0] - box_.low[0]) / span_);
+    const int row = (box_.high[up_] - 1 - voxel[up_]) / span_;
+    const int pixel = row * width_ + (voxel[0] - box_.low[0]) / span_;
+    const auto i = static_cast<std::size_t>(pixel);
     known_[i] = true;
     if (is_occupied) ++occupied_[i];
   }
