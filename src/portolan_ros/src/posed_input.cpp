@@ -96,6 +96,11 @@ void PosedInput::receive_malformed(std::size_t input) {
   tallies_[input].drop(Drop::malformed);
 }
 
+void PosedInput::receive_unposed(std::size_t input) {
+  tallies_[input].receive();
+  tallies_[input].use();
+}
+
 void PosedInput::receive(std::size_t input, Message message, Time now) {
   Tally& tally = tallies_[input];
   tally.receive();

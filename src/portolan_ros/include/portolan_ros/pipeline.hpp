@@ -66,6 +66,9 @@ class Pipeline {
   std::size_t time_jumps() const { return time_jumps_; }
 
  private:
+  template <class SensorReading>
+  void pose_and_use(std::size_t input, Sensed<SensorReading> sensed, Time now);
+
   /// To be called before a message is taken, which belongs to the new time.
   void check_clock(Time now) {
     if (!clock_.ran_back(now)) return;
@@ -103,6 +106,12 @@ struct HasMotion : std::false_type {};
 template <class T>
 struct HasMotion<T, std::void_t<decltype(std::declval<T&>().T_first_last)>> : std::true_type {};
 
+template <class Filter, class T, class = void>
+struct IsNoted : std::false_type {};
+template <class Filter, class T>
+struct IsNoted<Filter, T, std::void_t<decltype(std::declval<Filter&>().note(std::declval<T>()))>>
+    : std::true_type {};
+
 }  // namespace pipeline_detail
 
 template <class Kind>
@@ -111,11 +120,22 @@ void Pipeline<Kind>::receive(std::size_t input, std::optional<Sensed<SensorReadi
                              Time now) {
   poll(now);
   if (!sensed) return posed_.receive_malformed(input);
-  const SensorId sensor = sensor_id(input, ros_convert::without_slash(sensed->frame));
-  PosedInput::Message message{sensed->frame, sensed->first, sensed->last, {}, {}, sensed->part};
-  message.references = filter_.references(sensed->z);
-  message.use = [this, sensor, stamp = sensed->first,
-                 z = std::move(sensed->z)](const PosedInput::SensorPose& pose) mutable {
+  if constexpr (pipeline_detail::IsNoted<FilterOf<Kind>, SensorReading>::value) {
+    filter_.note(std::move(sensed->z));
+    return posed_.receive_unposed(input);
+  } else {
+    pose_and_use(input, std::move(*sensed), now);
+  }
+}
+
+template <class Kind>
+template <class SensorReading>
+void Pipeline<Kind>::pose_and_use(std::size_t input, Sensed<SensorReading> sensed, Time now) {
+  const SensorId sensor = sensor_id(input, ros_convert::without_slash(sensed.frame));
+  PosedInput::Message message{sensed.frame, sensed.first, sensed.last, {}, {}, sensed.part};
+  message.references = filter_.references(sensed.z);
+  message.use = [this, sensor, stamp = sensed.first,
+                 z = std::move(sensed.z)](const PosedInput::SensorPose& pose) mutable {
     if constexpr (pipeline_detail::HasMotion<SensorReading>::value) {
       z.T_first_last = pose.T_first_last;
     }

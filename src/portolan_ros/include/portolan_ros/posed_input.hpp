@@ -79,6 +79,9 @@ class PosedInput {
   /// A message that could not be converted.
   void receive_malformed(std::size_t input);
 
+  /// A message that was used and needs no pose.
+  void receive_unposed(std::size_t input);
+
   /// A message: it is used at once where tf is there, else by `poll`, later.
   void receive(std::size_t input, Message message, Time now);
 

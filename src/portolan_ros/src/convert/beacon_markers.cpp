@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/convert/beacon_markers.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+
+#include "portolan_ros/convert/eigen_messages.hpp"
 
 namespace portolan::ros_convert {
 
 namespace {
 
 using visualization_msgs::Marker;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double kThinnest = 0.02;  // of what is drawn [m]; rviz refuses flat ellipsoids
 constexpr float kFaintest = 0.08F;  // opacity of a mode without weight
 
 std_msgs::ColorRGBA colour(const portolan_msgs::Beacon& beacon, float opacity) {
@@ -34,28 +35,6 @@ Marker marker(const portolan_msgs::BeaconMap& map, const char* name, std::int32_
   marker.type = type;
   marker.pose.orientation.w = 1.0;
   return marker;
-}
-
-/// Axes and half axes of the ellipsoid of one standard deviation.
-void fill_ellipsoid(const portolan_msgs::BeaconMode& mode, double standard_deviations,
-                    Marker& marker) {
-  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const Eigen::Matrix3d covariance = Eigen::Map<const RowMajor>(mode.covariance.data());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  Eigen::Matrix3d axes = solver.eigenvectors();
-  if (axes.determinant() < 0.0) axes.col(0) *= -1.0;
-  const Eigen::Quaterniond q(axes);
-  marker.pose.position = mode.position;
-  marker.pose.orientation.x = q.x();
-  marker.pose.orientation.y = q.y();
-  marker.pose.orientation.z = q.z();
-  marker.pose.orientation.w = q.w();
-  const Eigen::Vector3d size =
-      (2.0 * standard_deviations * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt())
-          .cwiseMax(kThinnest);
-  marker.scale.x = size.x();
-  marker.scale.y = size.y();
-  marker.scale.z = size.z();
 }
 
 Marker label(const portolan_msgs::BeaconMap& map, const portolan_msgs::Beacon& beacon,
@@ -97,7 +76,8 @@ visualization_msgs::MarkerArray beacon_markers(const portolan_msgs::BeaconMap& m
     if (beacon.modes.empty()) continue;
     for (const portolan_msgs::BeaconMode& mode : beacon.modes) {
       Marker ellipsoid = marker(map, "modes", Marker::SPHERE, all.markers.size());
-      fill_ellipsoid(mode, standard_deviations, ellipsoid);
+      const Eigen::Matrix3d covariance = Eigen::Map<const RowMajor>(mode.covariance.data());
+      fill_ellipsoid(mode.position, covariance, standard_deviations, ellipsoid);
       ellipsoid.color =
           colour(beacon, kFaintest + (1.0F - kFaintest) * static_cast<float>(mode.weight));
       all.markers.push_back(ellipsoid);

@@ -5,28 +5,11 @@
 #include <utility>
 
 #include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/convert/eigen_messages.hpp"
 
 namespace portolan::ros_convert {
 
 namespace {
-
-template <class Vector>
-Vector vector(const Eigen::Vector3d& v) {
-  Vector message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
-}
-
-/// Row-major, whatever Eigen's own order is.
-template <class Matrix, class Array>
-void fill(const Matrix& matrix, Array& array) {
-  auto out = array.begin();
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column) *out++ = matrix(row, column);
-  }
-}
 
 /// The same for messages about the same beacons (FNV-1a over their ids).
 std::uint64_t part_of(const BeaconRanges& z) {

@@ -3,6 +3,7 @@
 
 #include "portolan_ros/kinds/beacon_kind.hpp"
 #include "portolan_ros/kinds/grid_kind.hpp"
+#include "portolan_ros/kinds/landmark_kind.hpp"
 #include "portolan_ros/kinds/octo_kind.hpp"
 
 namespace portolan {
@@ -12,6 +13,7 @@ template <class Function>
 void for_each_kind(Function function) {
   function(GridKind{});
   function(OctoKind{});
+  function(LandmarkKind{});
   function(BeaconKind{});
 }
 

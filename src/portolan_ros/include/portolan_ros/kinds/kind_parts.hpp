@@ -19,7 +19,9 @@ namespace portolan {
 /// A kind with a type `Filter` of the same shape has one of its own. It is built from its options,
 /// those of the pipeline and the mapper's; `references` names the frames in which it needs to know
 /// the sensor's pose; and the call makes an observation of what was seen from there. It must not
-/// ask for the map frame: a correction that comes later has to find the same observations.
+/// ask for the map frame: a correction that comes later has to find the same observations. What it
+/// has a function `note(reading)` for is given to that at once, whatever tf says, and is no
+/// observation: how a camera draws.
 struct NoFilter {
   struct Options {
     template <class Self, class Visitor>
