@@ -10,6 +10,7 @@
 #include "portolan/graph/graph_optimizer.hpp"
 #include "portolan/graph/loop/loop_arcs.hpp"
 #include "portolan/graph/neighbour_arcs.hpp"
+#include "portolan/graph/restored_steps.hpp"
 
 namespace portolan {
 
@@ -222,6 +223,25 @@ void PoseGraph::change(std::size_t arc, ArcState state) {
   const bool counted = changed.state == ArcState::accepted;
   graph_.set_state(arc, state, ArcReason::by_request);
   if (counted != (state == ArcState::accepted)) settle();
+}
+
+PoseGraph PoseGraph::restored(const Options& options, const Graph& graph) {
+  PoseGraph restored(options);
+  restored.graph_ = graph;
+  const std::vector<RestoredStep> steps = restored_steps(graph);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Keyframe keyframe;
+    keyframe.stamp = graph.poses()[i].stamp;
+    keyframe.T_odom_base = i == 0 ? graph.poses()[0].T_map_pose
+                                  : restored.keyframes_.back().T_odom_base * steps[i].T_odometry;
+    if (i > 0) keyframe.travelled = restored.way_to(keyframe.T_odom_base);
+    restored.keyframes_.push_back(keyframe);
+    restored.steps_.push_back(steps[i].step);
+    restored.chain_.add(steps[i].step);
+  }
+  restored.forgotten_ = steps.size();
+  if (!steps.empty()) restored.settle();
+  return restored;
 }
 
 Correction PoseGraph::correction() const {

@@ -258,5 +258,21 @@ TEST(PoseGraph, ForgetsTheOldestScansPastItsBudget) {
   EXPECT_EQ(count(run.graph, ArcKind::loop, ArcState::accepted), 0U);
 }
 
+TEST(PoseGraph, GoesOnFromASavedGraph) {
+  const PoseGraph& graph = twice_round().graph;
+  const PoseGraph again = PoseGraph::restored(odometry_only(), graph.graph());
+  ASSERT_EQ(again.keyframes().size(), graph.keyframes().size());
+  for (std::size_t i = 0; i < graph.keyframes().size(); ++i) {
+    const Pose& T_map_base = graph.graph().poses()[i].T_map_pose;
+    EXPECT_TRUE(again.graph().poses()[i].T_map_pose.isApprox(T_map_base, 1e-6));
+    const Pose& T_odom_base = graph.keyframes()[i].T_odom_base;
+    EXPECT_TRUE(again.keyframes()[i].T_odom_base.isApprox(T_odom_base, 1e-9));
+  }
+  Graph torn(GraphSpace::planar);
+  torn.add(GraphPose{0, Time{seconds(1)}});
+  torn.add(GraphPose{1, Time{seconds(2)}});
+  EXPECT_THROW(PoseGraph::restored({}, torn), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace portolan

@@ -43,6 +43,11 @@ class PoseGraph {
   void disable(std::size_t arc);
   void enable(std::size_t arc);
 
+  /// Goes on from a graph that was saved, in the odometry of that time; its scans are lost, so that
+  /// its places are not found again. Throws std::invalid_argument where it is no graph of this
+  /// kind: ids from 0 on, increasing stamps, an accepted arc of odometry between neighbours.
+  static PoseGraph restored(const Options& options, const Graph& graph);
+
   /// T_map_odom with a knot at each keyframe.
   Correction correction() const;
 
