@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <stdexcept>
 
+#include "portolan_ros/graph/graph_node_options.hpp"
 #include "portolan_ros/kinds/for_each_kind.hpp"
 #include "portolan_ros/node_options.hpp"
 #include "portolan_ros/options_page.hpp"
@@ -15,6 +16,7 @@ int main(int argc, char** argv) try {
     const portolan::MapperNodeOptions<Kind> defaults;
     portolan::document(folder, Kind::kName, option_rows(defaults));
   });
+  portolan::document(folder, "pose_graph", option_rows(portolan::GraphNodeOptions{}));
   return 0;
 } catch (const std::exception& error) {
   return portolan::report(error);

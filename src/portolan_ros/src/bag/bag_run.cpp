@@ -11,6 +11,7 @@
 #include <list>
 #include <stdexcept>
 
+#include "portolan_ros/bag/bag_graph.hpp"
 #include "portolan_ros/bag/progress_bar.hpp"
 #include "portolan_ros/kinds/for_each_kind.hpp"
 
@@ -28,6 +29,22 @@ YAML::Node merged_config(const std::vector<std::string>& files) {
     }
   }
   return config;
+}
+
+AnyBagMapper any_bag_graph(const YAML::Node& config) {
+  GraphNodeOptions options;
+  if (config[BagGraph::kName]) read_options(config[BagGraph::kName], options);
+  const auto graph = std::make_shared<BagGraph>(options);
+  return {BagGraph::kName,
+          graph->topics(),
+          graph->input_topics(),
+          [graph](const rosbag::MessageInstance& message) { graph->take(message); },
+          [](const Correction& /*its own*/) {},
+          [graph] { graph->finish(); },
+          [graph] { return graph->files(); },
+          [graph] { return graph->summary(); },
+          [graph] { return graph->tallies(); },
+          [graph] { return graph->correction(); }};
 }
 
 void check_sections(const YAML::Node& config, const std::vector<AnyBagMapper>& mappers) {
@@ -71,6 +88,7 @@ bool is_wanted(const AnyBagMapper& mapper, const BagRun& what, const Bags& bags)
   if (what.mappers) {
     return std::count(what.mappers->begin(), what.mappers->end(), mapper.name) > 0;
   }
+  if (mapper.name == BagGraph::kName) return false;  // it changes all maps: only if asked for
   return std::any_of(mapper.input_topics.begin(), mapper.input_topics.end(),
                      [&](const std::string& topic) { return bags.topics.count(topic) > 0; });
 }
@@ -79,6 +97,7 @@ std::vector<AnyBagMapper> wanted_mappers(const BagRun& what, const Bags& bags) {
   const YAML::Node config = merged_config(what.configs);
   std::vector<AnyBagMapper> mappers;
   for_each_kind([&](auto kind) { mappers.push_back(any_bag_mapper<decltype(kind)>(config)); });
+  mappers.push_back(any_bag_graph(config));
   check_sections(config, mappers);
   for (const std::string& name : what.mappers.value_or(std::vector<std::string>{})) {
     const bool known = std::any_of(mappers.begin(), mappers.end(),
@@ -129,6 +148,15 @@ void play(const Bags& bags, std::vector<AnyBagMapper>& mappers) {
     bar.show(static_cast<double>(++done) / view.size());
   }
   bar.finish();
+}
+
+/// The pose graph is the last one, and the others wait for what it knows of the drift.
+void finish(std::vector<AnyBagMapper>& mappers) {
+  AnyBagMapper& last = mappers.back();
+  if (last.correction) {
+    last.finish();
+    for (AnyBagMapper& mapper : mappers) mapper.correct(last.correction());
+  }
   for (AnyBagMapper& mapper : mappers) mapper.finish();
 }
 
@@ -148,6 +176,7 @@ void run(const BagRun& what) {
   const Bags bags = open_bags(what);
   std::vector<AnyBagMapper> mappers = wanted_mappers(what, bags);
   play(bags, mappers);
+  finish(mappers);
   FileSet files;
   for (const AnyBagMapper& mapper : mappers) {
     std::cerr << mapper.name << ": " << sentence_of(mapper.tallies()) << std::endl;

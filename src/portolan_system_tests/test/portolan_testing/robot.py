@@ -20,7 +20,8 @@ TOPICS = {"tf": TFMessage, "tf_static": TFMessage, "scan": LaserScan, "sonar": R
           "landmark_sightings": LandmarkSightings, "image_features": ImageFeatures, "camera_info": CameraInfo,
           "beacon_ranges": BeaconRanges}
 SENSORS = {"occupancy_grid": ("scan", "sonar", "cloud_in"), "octomap": ("cloud_in", "scan"),
-           "landmarks": ("landmark_sightings", "image_features", "camera_info"), "beacons": ("beacon_ranges",)}
+           "landmarks": ("landmark_sightings", "image_features", "camera_info"), "beacons": ("beacon_ranges",),
+           "pose_graph": ("scan",)}
 
 
 def heard_by(program):

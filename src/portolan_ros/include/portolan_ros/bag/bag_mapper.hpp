@@ -24,21 +24,21 @@ class BagMapper {
   /// Throws OptionsError.
   explicit BagMapper(const MapperNodeOptions<Kind>& options);
 
-  /// The topics that it wants, tf among them.
+  /// The topics that it wants, tf among them; then those of its inputs alone.
   std::set<std::string> topics() const {
     std::set<std::string> names;
     for (const auto& [topic, handlers] : handlers_) names.insert(topic);
     return names;
   }
 
-  /// Those of its inputs alone.
   const std::set<std::string>& input_topics() const { return input_topics_; }
 
   /// Takes one message of the bag; one that does not concern it is left out.
   void take(const rosbag::MessageInstance& message);
 
-  /// No more messages come: what still waits for tf is used or dropped.
+  /// No more messages come: what still waits for tf is used or dropped, and the map drawn.
   void finish();
+  void correct(const Correction& correction) { pipeline_.remapper().correct(correction); }
 
   /// The map's files and pictures, and the trajectory; counts, wall time and options.
   FileSet files() const;

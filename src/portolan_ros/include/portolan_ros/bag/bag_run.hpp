@@ -22,10 +22,12 @@ struct AnyBagMapper {
   std::set<std::string> topics;
   std::set<std::string> input_topics;
   std::function<void(const rosbag::MessageInstance&)> take;
+  std::function<void(const Correction&)> correct;
   std::function<void()> finish;
   std::function<FileSet()> files;
   std::function<YAML::Node()> summary;
   std::function<std::vector<Tally>()> tallies;
+  std::function<Correction()> correction = {};  ///< what it knows of the drift; most know nothing
 };
 
 /// The mapper of this kind with the options under its name in `config`. Throws OptionsError.
@@ -38,6 +40,7 @@ AnyBagMapper any_bag_mapper(const YAML::Node& config) {
           mapper->topics(),
           mapper->input_topics(),
           [mapper](const rosbag::MessageInstance& message) { mapper->take(message); },
+          [mapper](const Correction& correction) { mapper->correct(correction); },
           [mapper] { mapper->finish(); },
           [mapper] { return mapper->files(); },
           [mapper] { return mapper->summary(); },

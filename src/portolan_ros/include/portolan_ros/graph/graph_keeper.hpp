@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "portolan/map_file.hpp"
+#include "portolan_ros/graph/graph_pipeline.hpp"
+
+namespace portolan {
+
+/// The graph's files: NAME.g2o, NAME.stamps and NAME.tum.
+FileSet graph_file_set(const PoseGraph& graph, const std::string& name);
+
+/// A picture of the arcs by kind and of the surfaces that were seen; empty for an empty graph.
+std::string graph_picture(const PoseGraph& graph);
+
+/// Keeps a pose graph in files, and begins again from files. Each says in a sentence what it did,
+/// and throws where it can't; then graph and files are as before.
+class GraphKeeper {
+ public:
+  GraphKeeper(GraphPipeline& pipeline, const GraphNodeOptions& options)
+      : pipeline_(pipeline), options_(options) {}
+
+  std::string save(const std::string& name);
+  /// Goes on in the odometry with which the graph was saved; its keyframes are without their scans.
+  std::string load(const std::string& name);
+  std::string reset();
+
+ private:
+  GraphPipeline& pipeline_;
+  const GraphNodeOptions& options_;
+};
+
+}  // namespace portolan

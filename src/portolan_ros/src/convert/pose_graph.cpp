@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan_ros/convert/pose_graph.hpp"
+
+#include <array>
+
+#include "portolan_ros/convert/basics.hpp"
+
+namespace portolan::ros_convert {
+
+namespace {
+
+using visualization_msgs::Marker;
+
+struct Style {
+  const char* name;
+  float red, green, blue;
+};
+
+constexpr std::array<Style, 6> kStyles{{{"odometry", 0.5F, 0.5F, 0.5F},
+                                        {"scan", 0.1F, 0.6F, 0.2F},
+                                        {"loop", 0.1F, 0.3F, 0.9F},
+                                        {"given", 0.9F, 0.5F, 0.05F},
+                                        {"rejected", 0.85F, 0.1F, 0.1F},
+                                        {"disabled", 0.2F, 0.1F, 0.1F}}};
+
+std::size_t style_of(const Arc& arc) {
+  if (arc.state == ArcState::rejected) return 4;
+  if (arc.state == ArcState::disabled) return 5;
+  return static_cast<std::size_t>(arc.kind);
+}
+
+geometry_msgs::Point point(const Pose& T) {
+  geometry_msgs::Point p;
+  p.x = T.translation().x();
+  p.y = T.translation().y();
+  p.z = T.translation().z();
+  return p;
+}
+
+Marker marker(const Style& style, std::int32_t type, double width, const std::string& map_frame) {
+  Marker marker;
+  marker.header.frame_id = map_frame;
+  marker.ns = style.name;
+  marker.type = type;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = marker.scale.z = width;
+  marker.color.r = style.red;
+  marker.color.g = style.green;
+  marker.color.b = style.blue;
+  marker.color.a = 1.0F;
+  return marker;
+}
+
+}  // namespace
+
+portolan_msgs::GraphArc graph_arc(const Graph& graph, std::size_t index) {
+  const Arc& arc = graph.arcs().at(index);
+  portolan_msgs::GraphArc message;
+  message.index = static_cast<std::uint32_t>(index);
+  message.from = arc.from;
+  message.to = arc.to;
+  message.pose = pose(arc.T_from_to);
+  for (Eigen::Index i = 0; i < 36; ++i) {
+    message.information[static_cast<std::size_t>(i)] = arc.information(i / 6, i % 6);
+  }
+  message.kind = static_cast<std::uint8_t>(arc.kind);
+  message.state = static_cast<std::uint8_t>(arc.state);
+  message.reason = enum_names(ArcReason{}).at(static_cast<std::size_t>(arc.reason));
+  return message;
+}
+
+portolan_msgs::PoseGraph pose_graph(const PoseGraph& graph, const std::string& map_frame) {
+  portolan_msgs::PoseGraph message;
+  message.header.frame_id = map_frame;
+  for (const GraphPose& from : graph.graph().poses()) {
+    portolan_msgs::GraphPose to;
+    to.id = from.id;
+    to.stamp = time(from.stamp);
+    to.pose = pose(from.T_map_pose);
+    message.poses.push_back(to);
+  }
+  for (std::size_t i = 0; i < graph.graph().arcs().size(); ++i) {
+    message.arcs.push_back(graph_arc(graph.graph(), i));
+  }
+  message.doubts = "none";
+  if (graph.report()) {
+    message.chi2 = graph.report()->chi2;
+    message.degrees_of_freedom = static_cast<std::uint32_t>(graph.report()->degrees_of_freedom);
+    message.doubts = to_string(graph.report()->doubts);
+  }
+  return message;
+}
+
+nav_msgs::Path path(const Graph& graph, const std::string& map_frame) {
+  nav_msgs::Path message;
+  message.header.frame_id = map_frame;
+  for (const GraphPose& from : graph.poses()) {
+    geometry_msgs::PoseStamped to;
+    to.header.frame_id = map_frame;
+    to.header.stamp = time(from.stamp);
+    to.pose = pose(from.T_map_pose);
+    message.poses.push_back(to);
+  }
+  return message;
+}
+
+visualization_msgs::MarkerArray graph_markers(const Graph& graph, const std::string& map_frame) {
+  visualization_msgs::MarkerArray all;
+  for (const Style& style : kStyles) {
+    all.markers.push_back(marker(style, Marker::LINE_LIST, 0.03, map_frame));
+  }
+  for (const Arc& arc : graph.arcs()) {
+    Marker& lines = all.markers[style_of(arc)];
+    lines.points.push_back(point(graph.at(arc.from).T_map_pose));
+    lines.points.push_back(point(graph.at(arc.to).T_map_pose));
+  }
+  Marker dots = marker({"keyframes", 0.1F, 0.1F, 0.1F}, Marker::POINTS, 0.06, map_frame);
+  for (const GraphPose& from : graph.poses()) dots.points.push_back(point(from.T_map_pose));
+  all.markers.push_back(dots);
+  for (Marker& one : all.markers) {
+    if (one.points.empty()) one.action = Marker::DELETE;
+  }
+  return all;
+}
+
+}  // namespace portolan::ros_convert

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan_ros/graph/graph_keeper.hpp"
+
+#include <filesystem>
+
+#include "portolan/graph/g2o_file.hpp"
+#include "portolan_ros/map_services.hpp"
+
+namespace portolan {
+
+FileSet graph_file_set(const PoseGraph& graph, const std::string& name) {
+  FileSet files = graph_files(graph.graph(), name);
+  files[name + ".tum"] = to_tum(graph.graph());
+  return files;
+}
+
+std::string GraphKeeper::save(const std::string& name) {
+  const std::filesystem::path folder = folder_of(options_.map_directory);
+  std::filesystem::create_directories(folder);
+  const FileSet files = graph_file_set(pipeline_.graph(), checked_map_name(name));
+  save_files(folder, files);
+  std::string names;
+  for (const auto& [file, content] : files) names += " " + file;
+  return "saved" + names + " in " + folder.string();
+}
+
+std::string GraphKeeper::load(const std::string& name) {
+  const std::filesystem::path file =
+      folder_of(options_.map_directory) / (checked_map_name(name) + ".g2o");
+  pipeline_.restart_from(PoseGraph::restored(options_.graph, load_graph(file)));
+  return "loaded " + file.string();
+}
+
+std::string GraphKeeper::reset() {
+  pipeline_.reset();
+  return "the graph is empty";
+}
+
+}  // namespace portolan

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan_ros/graph/graph_outputs.hpp"
+
+#include <tf2_msgs/TFMessage.h>
+
+#include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/convert/correction.hpp"
+#include "portolan_ros/convert/pose_graph.hpp"
+
+namespace portolan {
+
+namespace {
+
+Pose last_of(const Correction& correction) {
+  return correction.knots().empty() ? Pose::Identity() : correction.knots().back().T_map_odom;
+}
+
+}  // namespace
+
+GraphOutputs::GraphOutputs(ros::NodeHandle& handle, const GraphNodeOptions& options,
+                           const GraphPipeline& source)
+    : options_(options),
+      source_(source),
+      correction_(handle.advertise<portolan_msgs::DriftCorrection>("drift_correction", 1, true)),
+      path_(handle.advertise<nav_msgs::Path>("path", 1, true)),
+      graph_(handle.advertise<portolan_msgs::PoseGraph>("pose_graph", 1, true)),
+      markers_(handle.advertise<visualization_msgs::MarkerArray>("pose_graph_vis", 1, true)) {
+  if (options.output.publish_tf) tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", 100);
+}
+
+void GraphOutputs::publish(const ros::Time& stamp) {
+  const Correction correction = source_.graph().correction();
+  const Version version{source_.restarts(), source_.graph().generation()};
+  if (version != sent_version_ || drift_changed(correction)) {
+    portolan_msgs::DriftCorrection message =
+        ros_convert::correction(correction, options_.map_frame, options_.posing.odom_frame);
+    message.header.stamp = stamp;
+    correction_.publish(message);
+    sent_ = correction;
+    sent_version_ = version;
+  }
+  const std::size_t arcs = source_.graph().graph().arcs().size();
+  if (version == shown_version_ && arcs == shown_arcs_) return;
+  publish_visuals(stamp);
+  shown_version_ = version;
+  shown_arcs_ = arcs;
+}
+
+void GraphOutputs::publish_tf(const ros::Time& stamp) {
+  if (!tf_ || stamp.isZero()) return;
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(1);
+  message.transforms[0].header.stamp = stamp;
+  message.transforms[0].header.frame_id = options_.map_frame;
+  message.transforms[0].child_frame_id = options_.posing.odom_frame;
+  message.transforms[0].transform = ros_convert::transform(last_of(sent_));
+  tf_.publish(message);
+}
+
+bool GraphOutputs::drift_changed(const Correction& correction) const {
+  const Pose change = last_of(sent_).inverse() * last_of(correction);
+  return change.translation().norm() > options_.output.min_shift ||
+         rotation_angle(change) > options_.output.min_turn;
+}
+
+void GraphOutputs::publish_visuals(const ros::Time& stamp) {
+  const PoseGraph& graph = source_.graph();
+  if (path_.getNumSubscribers() > 0) {
+    nav_msgs::Path message = ros_convert::path(graph.graph(), options_.map_frame);
+    message.header.stamp = stamp;
+    path_.publish(message);
+  }
+  if (graph_.getNumSubscribers() > 0) {
+    portolan_msgs::PoseGraph message = ros_convert::pose_graph(graph, options_.map_frame);
+    message.header.stamp = stamp;
+    graph_.publish(message);
+  }
+  if (markers_.getNumSubscribers() > 0) {
+    markers_.publish(ros_convert::graph_markers(graph.graph(), options_.map_frame));
+  }
+}
+
+}  // namespace portolan

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portolan_ros/graph/pose_graph_node.hpp"
+
+#include <algorithm>
+
+#include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/params.hpp"
+
+namespace portolan {
+
+namespace {
+
+constexpr double kPollPeriod = 0.05;  // [s]
+
+GraphNodeOptions read(const ros::NodeHandle& private_handle) {
+  GraphNodeOptions options;
+  read_parameters(private_handle, options);
+  return options;
+}
+
+Time now() { return ros_convert::time(ros::Time::now()); }
+
+std::size_t count(const Graph& graph, ArcKind kind, ArcState state) {
+  const auto is_one = [&](const Arc& arc) { return arc.kind == kind && arc.state == state; };
+  return static_cast<std::size_t>(std::count_if(graph.arcs().begin(), graph.arcs().end(), is_one));
+}
+
+}  // namespace
+
+PoseGraphNode::PoseGraphNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+    : handle_(handle), private_handle_(private_handle), options_(read(private_handle)) {
+  subscribe();
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("mapping", [this](auto& status) { this->fill(status); });
+  const auto every = [this](double period, const auto& deed) {
+    timers_.push_back(handle_.createWallTimer(
+        ros::WallDuration(period), [deed](const ros::WallTimerEvent& /*event*/) { deed(); }));
+  };
+  every(kPollPeriod, [this] {
+    pipeline_.poll(now());
+    outputs_.publish_tf(ros::Time::now());
+  });
+  every(options_.publish_interval, [this] { outputs_.publish(ros::Time::now()); });
+  every(1.0, [this] { diagnostics_.force_update(); });
+}
+
+void PoseGraphNode::subscribe() {
+  constexpr int kQueue = 1000;
+  subscriptions_.add<tf2_msgs::TFMessage>(
+      "/tf", kQueue,
+      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, false, now()); });
+  subscriptions_.add<tf2_msgs::TFMessage>(
+      "/tf_static", kQueue,
+      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, true, now()); });
+  if (!options_.odom_topic.empty()) {
+    subscriptions_.add<nav_msgs::Odometry>(
+        options_.odom_topic, kQueue,
+        [this](const nav_msgs::Odometry& message) { pipeline_.receive_odometry(message, now()); });
+  }
+  for (const std::string& topic : options_.scan_topics) {
+    subscriptions_.add<sensor_msgs::LaserScan>(
+        topic, options_.posing.queue_size,
+        [this](const sensor_msgs::LaserScan& message) { pipeline_.receive_scan(message, now()); });
+  }
+}
+
+void PoseGraphNode::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  diagnosis_.fill(pipeline_.posed().tallies(), status);
+  const PoseGraph& graph = pipeline_.graph();
+  status.add("keyframes", graph.keyframes().size());
+  status.add("keyframes without scan", graph.forgotten());
+  status.add("loops accepted", count(graph.graph(), ArcKind::loop, ArcState::accepted));
+  status.add("loops rejected", count(graph.graph(), ArcKind::loop, ArcState::rejected));
+  status.add("doubts", graph.report() ? to_string(graph.report()->doubts) : "none");
+  status.add("transforms refused", pipeline_.posed().bad_transforms());
+  status.add("times the clock ran back", pipeline_.time_jumps());
+}
+
+std::string PoseGraphNode::map_name() const {
+  return string_parameter(private_handle_, "map_name", options_.map_name);
+}
+
+}  // namespace portolan

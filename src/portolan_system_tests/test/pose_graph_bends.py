@@ -1,0 +1,158 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A robot whose odometry turns too much drives round a block twice: the pose graph finds the loop, and the map bends."""
+import math
+
+import rospy
+from geometry_msgs.msg import Pose
+from nav_msgs.msg import Path
+from portolan_msgs.msg import DriftCorrection, PoseGraph
+from portolan_msgs.srv import AddArc, ListArcs, SetArcs
+from tf2_msgs.msg import TFMessage
+
+from portolan_testing import case
+from portolan_testing.room import Room, level, upright
+from portolan_testing.waiting import eventually
+
+ACCEPTED, REJECTED = 0, 1
+SIDE = 10.0     # of the square that the robot drives [m]
+STEP = 0.25     # [m] between scans
+DRIFT = 0.0015  # [rad] in each step
+SURE = [1e4 if i % 7 == 0 else 0.0 for i in range(36)]
+
+
+def block():
+    """Corridors of 2 m round a block, each with niches of its own."""
+    h = 4.05
+    walls = [upright(h, -h, h), upright(-h, -h, h), level(h, -h, h), level(-h, -h, h)]
+    walls += [level(-5.55, -3.0, -1.0), upright(5.55, 0.5, 2.0), level(5.45, 1.0, 1.9), upright(-5.35, -2.0, -0.4)]
+    walls += [upright(-3.0, -6.05, -5.55), upright(2.0, 5.45, 6.05), level(3.0, 4.05, 4.45), level(-3.0, -4.5, -4.05)]
+    return Room(half_side=6.05, panels=walls)
+
+
+def on_the_round(way):
+    """Pose (x, y, yaw) after so much way [m] along the corridors."""
+    side, along = divmod(way % (4.0 * SIDE), SIDE)
+    yaw = side * math.pi / 2.0
+    x, y = along - SIDE / 2.0, -SIDE / 2.0
+    return (x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw), yaw)
+
+
+def then(a, b):
+    """Pose b, given in the frame of pose a, in the frame of a's parent."""
+    c, s = math.cos(a[2]), math.sin(a[2])
+    return (a[0] + c * b[0] - s * b[1], a[1] + s * b[0] + c * b[1], a[2] + b[2])
+
+
+def between(a, b):
+    """Pose b in the frame of pose a."""
+    c, s, dx, dy = math.cos(a[2]), math.sin(a[2]), b[0] - a[0], b[1] - a[1]
+    return (c * dx + s * dy, -s * dx + c * dy, b[2] - a[2])
+
+
+def thickness(grid, room):
+    """Mean distance of occupied cells from the nearest wall [m]."""
+    def distance(x, y, segment):
+        (ax, ay), (bx, by), _ = segment
+        length = math.hypot(bx - ax, by - ay)
+        along = max(0.0, min(length, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length))
+        return math.hypot(x - ax - along * (bx - ax) / length, y - ay - along * (by - ay) / length)
+    side = grid.resolution
+    centers = [((c + 0.5) * side, (r + 0.5) * side) for c, r, percent in grid.known() if percent > 65]
+    return sum(min(distance(x, y, s) for s in room.segments) for x, y in centers) / max(1, len(centers))
+
+
+class PoseGraphBends(case.NodeCase):
+    def drive(self, robot, graph, way):
+        """Drives so far; the first pose of odometry is the true one."""
+        room, odom, last = block(), on_the_round(0.0), on_the_round(0.0)
+        for i in range(int(way / STEP)):
+            now = on_the_round(i * STEP)
+            odom, last = then(odom, then(between(last, now), (0.0, 0.0, DRIFT))), now
+            robot.look(room, 1000.0 + 0.5 * i, now, seen_as=odom)
+            if i % 40 == 39:
+                graph.wait_for("scans", received=robot.sent["scan"], waiting=0)
+
+    def service(self, node, name, type_, **request):
+        return rospy.ServiceProxy(f"{node.name}/{name}", type_)(**request)
+
+    def loops(self, node, state=ACCEPTED):
+        arcs = self.service(node, "list_arcs", ListArcs, all=False).arcs
+        return [arc for arc in arcs if arc.state == state]
+
+    def latest(self, topic, type_):
+        """A list that the topic's messages are appended to."""
+        messages = []
+        subscriber = rospy.Subscriber(f"{self.namespace}/{topic}", type_, messages.append)
+        self.addCleanup(subscriber.unregister)
+        return messages
+
+    def settled_map(self, grid, corrections, count):
+        """The grid's files once so many corrections have come and the map is redrawn."""
+        eventually(lambda: len(corrections) >= count, "a correction comes")
+        eventually(lambda: grid.values().get("redrawn") == "1", "the map is redrawn")
+        return self.saved(grid)
+
+    def test_a_session(self):
+        # Without matches of neighbours, so that all drift is left to the loops.
+        graph = self.node(program="pose_graph", parameters={"scans": {"enabled": False}})
+        robot, grid = self.pair()
+        robot.wait_until_heard(("tf", "tf_static", "scan"), listeners=2)
+        corrections = self.latest("drift_correction", DriftCorrection)
+        graphs, paths, tfs = self.latest("pose_graph", PoseGraph), self.latest("path", Path), self.latest("tf", TFMessage)
+        self.drive(robot, graph, 66.0)
+        grid.wait_for("scans", received=robot.sent["scan"], waiting=0)
+
+        loops = self.loops(graph)
+        self.assertGreater(len(loops), 2, graph.values())
+        eventually(lambda: corrections and graphs and paths, "correction, graph and path come")
+        eventually(lambda: any(t.child_frame_id == "odom" and t.header.frame_id == "map"
+                               for message in tfs for t in message.transforms), "the map frame is on tf")
+        eventually(lambda: len(paths[-1].poses) == len(graphs[-1].poses) > 80, "the path is that of the keyframes")
+        self.check_the_map_bends(graph, grid, corrections, loops)
+        self.check_a_false_loop_leaves_no_trace(graph, grid, corrections)
+        self.check_files(graph)
+
+    def check_the_map_bends(self, graph, grid, corrections, loops):
+        eventually(lambda: grid.values().get("redrawn") == "1", "the map is redrawn")
+        bent = thickness(grid.map(), block())
+        count = len(corrections)
+        arcs = [arc.index for arc in loops]
+        self.assertTrue(self.service(graph, "disable_arcs", SetArcs, arcs=arcs).success)
+        self.settled_map(grid, corrections, count + 1)
+        eventually(lambda: thickness(grid.map(), block()) > 1.5 * bent, lambda: f"without loops walls are thick: {bent}")
+        count = len(corrections)
+        self.assertTrue(self.service(graph, "enable_arcs", SetArcs, arcs=arcs).success)
+        self.settled_map(grid, corrections, count + 1)
+        eventually(lambda: abs(thickness(grid.map(), block()) - bent) < 1e-9, "the map is as it was")
+
+    def check_a_false_loop_leaves_no_trace(self, graph, grid, corrections):
+        before = self.saved(grid)
+        pose = Pose()
+        pose.orientation.w = 1.0
+        answer = rospy.ServiceProxy(f"{graph.name}/add_arc", AddArc)(3, 60, pose, SURE, False)
+        self.assertFalse(answer.success)
+        self.assertEqual(answer.message, "inconsistent")
+        count = len(corrections)
+        answer = rospy.ServiceProxy(f"{graph.name}/add_arc", AddArc)(3, 60, pose, SURE, True)
+        self.assertTrue(answer.success, answer.message)
+        self.assertNotEqual(self.settled_map(grid, corrections, count + 1), before)
+        count = len(corrections)
+        self.assertTrue(self.service(graph, "disable_arcs", SetArcs, arcs=[answer.arc]).success)
+        eventually(lambda: self.settled_map(grid, corrections, count + 1) == before, "the map's files are as before")
+
+    def check_files(self, graph):
+        self.files = "pose_graph"
+        files = self.saved(graph)
+        self.assertEqual(set(files), {"pose_graph.g2o", "pose_graph.stamps", "pose_graph.tum"})
+        keyframes = len(files["pose_graph.stamps"].splitlines())
+        self.assertTrue(graph.call("reset").success)
+        eventually(lambda: graph.values().get("keyframes") == "0", "the graph is empty")
+        answer = graph.call("load")
+        self.assertTrue(answer.success, answer.message)
+        eventually(lambda: graph.values().get("keyframes") == str(keyframes), "the graph is back")
+        self.assertEqual(self.saved(graph)["pose_graph.stamps"], files["pose_graph.stamps"])
+
+
+if __name__ == "__main__":
+    case.run("pose_graph_bends", PoseGraphBends)
