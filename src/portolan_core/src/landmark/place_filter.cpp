@@ -67,6 +67,23 @@ bool can_be_unscented(const Place& place) {
   return Model::kScaleFree || place.form == PlaceForm::point;
 }
 
+/// The update of a ray by its bearing, linearised anew where it leads: the depth is so vague at
+/// first that one step may lead astray.
+template <class Model>
+void iterated_update(const Measured<Model>& measured, const UncertainPose& sensor, double trust,
+                     Place& place) {
+  constexpr int kIterations = 4;
+  const Place prior = place;
+  for (int i = 0; i < kIterations; ++i) {
+    auto linear = linearize(place, measured, sensor.T_map_sensor);
+    if (!linear) break;
+    linear->nu += linear->H * (place.mean - prior.mean);
+    place.covariance = prior.covariance;
+    place.mean = prior.mean;
+    kalman_update(*linear, noise(measured, *linear, sensor, trust), place);
+  }
+}
+
 template <class Model>
 void update_by(const Measured<Model>& measured, const UncertainPose& sensor, double trust,
                LandmarkFilter filter, Place& place) {
@@ -75,6 +92,8 @@ void update_by(const Measured<Model>& measured, const UncertainPose& sensor, dou
   const Square<Model> R = noise(measured, *linear, sensor, trust);
   if (filter == LandmarkFilter::ukf && can_be_unscented<Model>(place)) {
     unscented_update(measured, R, sensor.T_map_sensor, place);
+  } else if (Model::kScaleFree && place.form == PlaceForm::ray) {
+    iterated_update(measured, sensor, trust, place);
   } else {
     kalman_update(*linear, R, place);
   }

@@ -89,12 +89,15 @@ TEST(PlaceFilter, ThreeCoordinatesOfARayAreAsGoodAsSix) {
     const auto h = [&](const Eigen::Matrix<double, 6, 1>& m) {
       return DirectionModel::h(T.inverse() * SixFilter::point(m));
     };
-    const Eigen::Matrix<double, 2, 6> H = testing::numeric_jacobian(h, six.mean);
-    const Eigen::Matrix2d S =
-        H * six.covariance * H.transpose() + 1e-4 * Eigen::Matrix2d::Identity();
-    const Eigen::Matrix<double, 6, 2> K = six.covariance * H.transpose() * S.inverse();
-    six.mean += K * (z.z - h(six.mean));
-    six.covariance = (Eigen::Matrix<double, 6, 6>::Identity() - K * H) * six.covariance;
+    const SixFilter prior = six;
+    for (int iteration = 0; iteration < 4; ++iteration) {
+      const Eigen::Matrix<double, 2, 6> H = testing::numeric_jacobian(h, six.mean);
+      const Eigen::Matrix2d S =
+          H * prior.covariance * H.transpose() + 1e-4 * Eigen::Matrix2d::Identity();
+      const Eigen::Matrix<double, 6, 2> K = prior.covariance * H.transpose() * S.inverse();
+      six.mean = prior.mean + K * (z.z - h(six.mean) + H * (six.mean - prior.mean));
+      six.covariance = (Eigen::Matrix<double, 6, 6>::Identity() - K * H) * prior.covariance;
+    }
     EXPECT_NEAR(place.mean[2], six.mean[5], 1e-4);
     EXPECT_NEAR(place.covariance(2, 2), six.covariance(5, 5), 1e-3 * six.covariance(5, 5));
   }
