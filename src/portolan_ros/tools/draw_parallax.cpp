@@ -65,7 +65,7 @@ Picture parallax(const Eigen::Vector3d& step, int sightings) {
   Picture picture(960, 360, kPaper);
   Place place;
   for (int i = 0; i < sightings; ++i) {
-    UncertainPose sensor;
+    UncertainSensorPose sensor;
     sensor.T_map_sensor.translation() = i * step;
     const Eigen::Vector2d angles = DirectionModel::h(sensor.T_map_sensor.inverse() * landmark);
     const Measured<DirectionModel> z{{}, angles, {1e-4, 1e-4}};

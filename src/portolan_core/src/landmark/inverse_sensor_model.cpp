@@ -28,7 +28,7 @@ Eigen::Matrix3d optical_from_level() {
 }
 
 Place point_at(const Eigen::Vector3d& l, const Eigen::Matrix3d& covariance_in_sensor,
-               const UncertainPose& sensor) {
+               const UncertainSensorPose& sensor) {
   const Eigen::Matrix3d R = sensor.T_map_sensor.linear();
   Eigen::Matrix<double, 3, 4> by_pose;
   by_pose << Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitZ().cross(R * l);
@@ -42,7 +42,7 @@ Place point_at(const Eigen::Vector3d& l, const Eigen::Matrix3d& covariance_in_se
 
 /// Eq. 33: three deviations of inverse depth reach from one limit to the other.
 Place ray_along(const Eigen::Matrix3d& R_sensor_ray, const Eigen::Matrix2d& angles,
-                const UncertainPose& sensor, const UnmeasuredOptions& options) {
+                const UncertainSensorPose& sensor, const UnmeasuredOptions& options) {
   const double nearest = 1.0 / options.min_depth;
   const double furthest = 1.0 / options.max_depth;
   Place place;
@@ -91,14 +91,14 @@ Eigen::Matrix3d inverse_polar_by_z(const Eigen::Vector3d& z) {
       .finished();
 }
 
-Place inverse_sensor_model(const Measured<SphericalModel>& measured, const UncertainPose& sensor,
-                           const LandmarkOptions& /*options*/) {
+Place inverse_sensor_model(const Measured<SphericalModel>& measured,
+                           const UncertainSensorPose& sensor, const LandmarkOptions& /*options*/) {
   const Eigen::Matrix3d J = inverse_spherical_by_z(measured.z);
   return point_at(inverse_spherical(measured.z), J * measured.variance.asDiagonal() * J.transpose(),
                   sensor);
 }
 
-Place inverse_sensor_model(const Measured<PolarModel>& measured, const UncertainPose& sensor,
+Place inverse_sensor_model(const Measured<PolarModel>& measured, const UncertainSensorPose& sensor,
                            const LandmarkOptions& options) {
   const Eigen::Vector3d z(measured.z[0], measured.z[1], 0.0);
   const Eigen::Vector3d variance(measured.variance[0], measured.variance[1],
@@ -107,8 +107,8 @@ Place inverse_sensor_model(const Measured<PolarModel>& measured, const Uncertain
   return point_at(inverse_polar(z), J * variance.asDiagonal() * J.transpose(), sensor);
 }
 
-Place inverse_sensor_model(const Measured<AzimuthModel>& measured, const UncertainPose& sensor,
-                           const LandmarkOptions& options) {
+Place inverse_sensor_model(const Measured<AzimuthModel>& measured,
+                           const UncertainSensorPose& sensor, const LandmarkOptions& options) {
   constexpr double kSteepest = 0.5;  // [rad]
   const double typical_depth =
       std::sqrt(options.unmeasured.min_depth * options.unmeasured.max_depth);
@@ -118,14 +118,14 @@ Place inverse_sensor_model(const Measured<AzimuthModel>& measured, const Uncerta
                    angles.asDiagonal(), sensor, options.unmeasured);
 }
 
-Place inverse_sensor_model(const Measured<DirectionModel>& measured, const UncertainPose& sensor,
-                           const LandmarkOptions& options) {
+Place inverse_sensor_model(const Measured<DirectionModel>& measured,
+                           const UncertainSensorPose& sensor, const LandmarkOptions& options) {
   const Eigen::Matrix3d R_sensor_ray =
       turned_to(InverseDepth::direction({measured.z[0], measured.z[1], 0.0}));
   return ray_along(R_sensor_ray, angles_of(measured, R_sensor_ray), sensor, options.unmeasured);
 }
 
-Place inverse_sensor_model(const Measured<PixelModel>& measured, const UncertainPose& sensor,
+Place inverse_sensor_model(const Measured<PixelModel>& measured, const UncertainSensorPose& sensor,
                            const LandmarkOptions& options) {
   const PinholeCamera& camera = measured.model.camera;
   const Eigen::Vector3d l((measured.z[0] - camera.cx) / camera.fx,

@@ -148,7 +148,7 @@ bool LandmarkMapper::use(std::size_t i, const Message& message, std::vector<Land
 }
 
 bool LandmarkMapper::take(const Sighted& sighted, const Candidate& candidate,
-                          const UncertainPose& sensor) {
+                          const UncertainSensorPose& sensor) {
   LandmarkStore::Entry& entry = store_.at(candidate.landmark);
   const double gate = gates_[static_cast<std::size_t>(candidate.fit.size)];
   const bool fits = candidate.fit.distance < gate;
@@ -164,7 +164,7 @@ bool LandmarkMapper::take(const Sighted& sighted, const Candidate& candidate,
   return true;
 }
 
-bool LandmarkMapper::start(const Sighted& sighted, const UncertainPose& sensor,
+bool LandmarkMapper::start(const Sighted& sighted, const UncertainSensorPose& sensor,
                            std::vector<LandmarkId>& seen) {
   if (store_.size() == options_.max_landmarks) return ++counts_.refused, false;
   const LandmarkId id = is_identity(sighted.id) ? sighted.id : next_id_--;

@@ -30,7 +30,7 @@ Place fused(const Place& a, const Place& b) {
 
 }  // namespace
 
-LandmarkTrack::LandmarkTrack(const Measurement& first, const UncertainPose& sensor,
+LandmarkTrack::LandmarkTrack(const Measurement& first, const UncertainSensorPose& sensor,
                              const LandmarkOptions& options)
     : place_(first_place(first, sensor, options)), has_height_(tells_height(first)) {}
 
@@ -38,7 +38,7 @@ LandmarkTrack::LandmarkTrack(const Place& place, std::size_t sightings, double l
                              bool has_height)
     : place_(place), sightings_(sightings), log_odds_(log_odds), has_height_(has_height) {}
 
-void LandmarkTrack::take(const Measurement& z, const UncertainPose& sensor, const Fit& fit,
+void LandmarkTrack::take(const Measurement& z, const UncertainSensorPose& sensor, const Fit& fit,
                          const LandmarkOptions& options) {
   update(place_, z, sensor, trust_in(fit, options.wrong.huber), options);
   ++sightings_;
@@ -47,7 +47,7 @@ void LandmarkTrack::take(const Measurement& z, const UncertainPose& sensor, cons
   rival_.reset();
 }
 
-bool LandmarkTrack::contradict(const Measurement& z, const UncertainPose& sensor, double gate,
+bool LandmarkTrack::contradict(const Measurement& z, const UncertainSensorPose& sensor, double gate,
                                const LandmarkOptions& options) {
   const std::optional<Fit> agrees = rival_ ? fit(rival_->place, z, sensor) : std::optional<Fit>{};
   if (agrees && agrees->distance < gate) {

@@ -30,7 +30,7 @@ Eigen::Vector3d direction(const Measured<PixelModel>& m) {
 
 }  // namespace
 
-Eigen::Matrix4d pose_covariance(const UncertainPose& sensor) {
+Eigen::Matrix4d pose_covariance(const UncertainSensorPose& sensor) {
   const double position = squared(sensor.position_stddev);
   return Eigen::Vector4d(position, position, position, squared(sensor.heading_stddev)).asDiagonal();
 }

@@ -18,7 +18,7 @@ using Square = Eigen::Matrix<double, Model::kSize, Model::kSize>;
 /// The sensor's errors, and those of its pose as the sensor sees them.
 template <class Model>
 Square<Model> noise(const Measured<Model>& measured, const Linearized<Model>& linear,
-                    const UncertainPose& sensor, double trust) {
+                    const UncertainSensorPose& sensor, double trust) {
   Square<Model> R = (measured.variance / trust).asDiagonal();
   if (sensor.position_stddev > 0.0 || sensor.heading_stddev > 0.0)
     R += linear.H_pose * pose_covariance(sensor) * linear.H_pose.transpose();
@@ -27,7 +27,7 @@ Square<Model> noise(const Measured<Model>& measured, const Linearized<Model>& li
 
 template <class Model>
 std::optional<Fit> fit_to(const Place& place, const Measured<Model>& measured,
-                          const UncertainPose& sensor) {
+                          const UncertainSensorPose& sensor) {
   const auto linear = linearize(place, measured, sensor.T_map_sensor);
   if (!linear) return std::nullopt;
   const Square<Model> S =
@@ -70,8 +70,8 @@ bool can_be_unscented(const Place& place) {
 /// The update of a ray by its bearing, linearised anew where it leads: the depth is so vague at
 /// first that one step may lead astray.
 template <class Model>
-void iterated_update(const Measured<Model>& measured, const UncertainPose& sensor, double trust,
-                     Place& place) {
+void iterated_update(const Measured<Model>& measured, const UncertainSensorPose& sensor,
+                     double trust, Place& place) {
   constexpr int kIterations = 4;
   const Place prior = place;
   for (int i = 0; i < kIterations; ++i) {
@@ -85,7 +85,7 @@ void iterated_update(const Measured<Model>& measured, const UncertainPose& senso
 }
 
 template <class Model>
-void update_by(const Measured<Model>& measured, const UncertainPose& sensor, double trust,
+void update_by(const Measured<Model>& measured, const UncertainSensorPose& sensor, double trust,
                LandmarkFilter filter, Place& place) {
   const auto linear = linearize(place, measured, sensor.T_map_sensor);
   if (!linear) return;
@@ -102,7 +102,7 @@ void update_by(const Measured<Model>& measured, const UncertainPose& sensor, dou
 }  // namespace
 
 std::optional<Fit> fit(const Place& place, const Measurement& measurement,
-                       const UncertainPose& sensor) {
+                       const UncertainSensorPose& sensor) {
   return std::visit([&](const auto& measured) { return fit_to(place, measured, sensor); },
                     measurement);
 }
@@ -126,15 +126,15 @@ JointTerm joint_term(const Place& place, const Measurement& measurement, const P
                     measurement);
 }
 
-Place first_place(const Measurement& measurement, const UncertainPose& sensor,
+Place first_place(const Measurement& measurement, const UncertainSensorPose& sensor,
                   const LandmarkOptions& options) {
   return std::visit(
       [&](const auto& measured) { return inverse_sensor_model(measured, sensor, options); },
       measurement);
 }
 
-void update(Place& place, const Measurement& measurement, const UncertainPose& sensor, double trust,
-            const LandmarkOptions& options) {
+void update(Place& place, const Measurement& measurement, const UncertainSensorPose& sensor,
+            double trust, const LandmarkOptions& options) {
   std::visit(
       [&](const auto& measured) { update_by(measured, sensor, trust, options.filter, place); },
       measurement);

@@ -61,8 +61,12 @@ TEST(TakeRows, AddsTheParityOfEdgesAndSetBits) {
       expected_on = expected_on || is_odd;
     }
     EXPECT_EQ(goes_on, expected_on);
-    if (has_edges) EXPECT_EQ(toggled, TileBits{});
-    if (has_set) EXPECT_EQ(set, TileBits{});
+    if (has_edges) {
+      EXPECT_EQ(toggled, TileBits{});
+    }
+    if (has_set) {
+      EXPECT_EQ(set, TileBits{});
+    }
   }
 }
 

@@ -30,9 +30,9 @@ Measured<DirectionModel> direction_to(const Eigen::Vector3d& p_map, const Pose& 
   return direction(angles[0], angles[1]);
 }
 
-UncertainPose at(const Pose& T_map_sensor) { return {T_map_sensor, 0.0, 0.0}; }
+UncertainSensorPose at(const Pose& T_map_sensor) { return {T_map_sensor, 0.0, 0.0}; }
 
-UncertainPose at(double x, double y, double z = 0.0) {
+UncertainSensorPose at(double x, double y, double z = 0.0) {
   Pose pose = planar_pose(x, y, 0.2);
   pose.translation().z() = z;
   return at(pose);
@@ -123,7 +123,7 @@ TEST(PlaceFilter, ParallaxMakesAPointOfARay) {
     Place place =
         first_place(direction_to(landmark, at(0.0, 0.0).T_map_sensor), at(0.0, 0.0), options);
     for (int i = 1; i <= 60; ++i) {
-      const UncertainPose sensor = at(0.02 * i, -0.05 * i, 0.01 * i);
+      const UncertainSensorPose sensor = at(0.02 * i, -0.05 * i, 0.01 * i);
       update(place, direction_to(landmark, sensor.T_map_sensor), sensor, 1.0, options);
     }
     EXPECT_EQ(place.form, PlaceForm::point);
@@ -138,7 +138,7 @@ TEST(PlaceFilter, WithoutParallaxItStaysARay) {
   Place place =
       first_place(direction_to(landmark, Pose::Identity()), at(Pose::Identity()), options);
   for (int i = 1; i < 50; ++i) {
-    const UncertainPose sensor = at(planar_pose(0.05 * i, 0.0, 0.0));
+    const UncertainSensorPose sensor = at(planar_pose(0.05 * i, 0.0, 0.0));
     update(place, direction_to(landmark, sensor.T_map_sensor), sensor, 1.0, options);
   }
   EXPECT_EQ(place.form, PlaceForm::ray);
@@ -151,7 +151,7 @@ TEST(PlaceFilter, WhatIsAtInfinityStaysADirection) {
   Place place = first_place(direction_to(star, at(0.0, 0.0).T_map_sensor), at(0.0, 0.0), options);
   int behind = 0;
   for (int i = 1; i < 400; ++i) {
-    const UncertainPose sensor = at(0.01 * i, 2.0 * std::sin(0.02 * i));
+    const UncertainSensorPose sensor = at(0.01 * i, 2.0 * std::sin(0.02 * i));
     Measured<DirectionModel> z = direction_to(star, sensor.T_map_sensor);
     z.z += Eigen::Vector2d(dice.normal(0.01), dice.normal(0.01));
     update(place, z, sensor, 1.0, options);
@@ -169,9 +169,9 @@ TEST(PlaceFilter, WhatIsAtInfinityStaysADirection) {
 TEST(PlaceFilter, ARangeMakesAPointOfARay) {
   const LandmarkOptions options;
   const Eigen::Vector3d landmark(3.0, 1.0, 0.5);
-  const UncertainPose camera = at(0.0, 0.0);
+  const UncertainSensorPose camera = at(0.0, 0.0);
   Place place = first_place(direction_to(landmark, camera.T_map_sensor), camera, options);
-  const UncertainPose laser = at(0.5, -0.5);
+  const UncertainSensorPose laser = at(0.5, -0.5);
   const Eigen::Vector3d z = SphericalModel::h(laser.T_map_sensor.inverse() * landmark);
   const Measured<SphericalModel> ranged{{}, z, {1e-4, 1e-4, 1e-4}};
   ASSERT_TRUE(fit(place, ranged, laser));
@@ -195,7 +195,7 @@ TEST(PlaceFilter, ACameraDoesNotSeeBehindItself) {
 TEST(PlaceFilter, AnUncertainPoseInflatesTheInnovation) {
   const LandmarkOptions options;
   const Place place = first_place(polar(5.0, 0.1), at(0.0, 0.0), options);
-  const UncertainPose vague{at(0.0, 0.0).T_map_sensor, 0.2, 0.05};
+  const UncertainSensorPose vague{at(0.0, 0.0).T_map_sensor, 0.2, 0.05};
   EXPECT_LT(fit(place, polar(5.5, 0.15), vague)->distance,
             fit(place, polar(5.5, 0.15), at(0.0, 0.0))->distance);
   const Place vaguer = first_place(polar(5.0, 0.1), vague, options);

@@ -17,18 +17,18 @@ Eigen::Vector3d inverse_polar(const Eigen::Vector3d& z);
 Eigen::Matrix3d inverse_polar_by_z(const Eigen::Vector3d& z);
 
 /// What one measurement with range says of a place: a point.
-Place inverse_sensor_model(const Measured<SphericalModel>& measured, const UncertainPose& sensor,
-                           const LandmarkOptions& options);
-Place inverse_sensor_model(const Measured<PolarModel>& measured, const UncertainPose& sensor,
+Place inverse_sensor_model(const Measured<SphericalModel>& measured,
+                           const UncertainSensorPose& sensor, const LandmarkOptions& options);
+Place inverse_sensor_model(const Measured<PolarModel>& measured, const UncertainSensorPose& sensor,
                            const LandmarkOptions& options);
 
 /// What one measurement without range says of a place: a ray, Eq. 32, with the depth between the
 /// limits of Eq. 33.
-Place inverse_sensor_model(const Measured<AzimuthModel>& measured, const UncertainPose& sensor,
-                           const LandmarkOptions& options);
-Place inverse_sensor_model(const Measured<DirectionModel>& measured, const UncertainPose& sensor,
-                           const LandmarkOptions& options);
-Place inverse_sensor_model(const Measured<PixelModel>& measured, const UncertainPose& sensor,
+Place inverse_sensor_model(const Measured<AzimuthModel>& measured,
+                           const UncertainSensorPose& sensor, const LandmarkOptions& options);
+Place inverse_sensor_model(const Measured<DirectionModel>& measured,
+                           const UncertainSensorPose& sensor, const LandmarkOptions& options);
+Place inverse_sensor_model(const Measured<PixelModel>& measured, const UncertainSensorPose& sensor,
                            const LandmarkOptions& options);
 
 }  // namespace portolan

@@ -59,7 +59,7 @@ class LandmarkMapper {
   /// The sightings of one message and what they may show.
   struct Message {
     SensorKind kind;
-    UncertainPose sensor;
+    UncertainSensorPose sensor;
     std::vector<Sighted> sighted;
     std::vector<Candidate> identified;  // the landmark of that identity, whether it fits or not
     std::vector<Candidate> similar;     // of sightings without identity: what fits
@@ -74,8 +74,9 @@ class LandmarkMapper {
   void add_similar(std::size_t i, Message& message) const;
   void choose(Message& message) const;
   bool use(std::size_t i, const Message& message, std::vector<LandmarkId>& seen);
-  bool take(const Sighted& sighted, const Candidate& candidate, const UncertainPose& sensor);
-  bool start(const Sighted& sighted, const UncertainPose& sensor, std::vector<LandmarkId>& seen);
+  bool take(const Sighted& sighted, const Candidate& candidate, const UncertainSensorPose& sensor);
+  bool start(const Sighted& sighted, const UncertainSensorPose& sensor,
+             std::vector<LandmarkId>& seen);
   void note_seen(const std::vector<LandmarkId>& seen, const Message& message);
   void note_beside(const std::vector<LandmarkId>& seen);
   void note_missed(const Message& message);

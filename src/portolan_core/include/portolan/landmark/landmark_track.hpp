@@ -26,19 +26,19 @@ constexpr std::array<const char*, 2> enum_names(SensorKind) { return {"sightings
 class LandmarkTrack {
  public:
   /// Starts with a first sighting, `message` counted by the mapper.
-  LandmarkTrack(const Measurement& first, const UncertainPose& sensor,
+  LandmarkTrack(const Measurement& first, const UncertainSensorPose& sensor,
                 const LandmarkOptions& options);
 
   /// A track that was saved.
   LandmarkTrack(const Place& place, std::size_t sightings, double log_odds, bool has_height);
 
   /// Takes a sighting that passed the gate, at this squared distance from what was expected.
-  void take(const Measurement& z, const UncertainPose& sensor, const Fit& fit,
+  void take(const Measurement& z, const UncertainSensorPose& sensor, const Fit& fit,
             const LandmarkOptions& options);
 
   /// Takes a sighting of the same identity that fits badly. Where enough in a row agree with each
   /// other the landmark goes where they are; true then.
-  bool contradict(const Measurement& z, const UncertainPose& sensor, double gate,
+  bool contradict(const Measurement& z, const UncertainSensorPose& sensor, double gate,
                   const LandmarkOptions& options);
 
   /// Takes note that the sensor did not see it, though it would have with this probability.

@@ -26,14 +26,14 @@ using Measurement =
                  Measured<DirectionModel>, Measured<PixelModel>>;
 
 /// Where the sensor was, and how well that is known.
-struct UncertainPose {
+struct UncertainSensorPose {
   Pose T_map_sensor = Pose::Identity();
   double position_stddev = 0.0;  ///< along each axis of the map [m]
   double heading_stddev = 0.0;   ///< about the map's z axis [rad]
 };
 
 /// Of the sensor's position in the map and its heading.
-Eigen::Matrix4d pose_covariance(const UncertainPose& sensor);
+Eigen::Matrix4d pose_covariance(const UncertainSensorPose& sensor);
 
 /// The measurement in a well-formed sighting; deviations that it does not state are the options'.
 Measurement measurement_of(const LandmarkSighting& sighting, const SightingNoiseOptions& noise);

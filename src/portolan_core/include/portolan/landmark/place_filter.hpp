@@ -38,17 +38,17 @@ JointTerm joint_term(const Place& place, const Measurement& measurement, const P
 
 /// The fit; none where the sensor could not see the place like that (behind the camera).
 std::optional<Fit> fit(const Place& place, const Measurement& measurement,
-                       const UncertainPose& sensor);
+                       const UncertainSensorPose& sensor);
 
 /// The inverse sensor model: a point for sightings with range (Eqs. 20-22), else a ray
 /// (Eqs. 30-33). What is not measured comes from the options.
-Place first_place(const Measurement& measurement, const UncertainPose& sensor,
+Place first_place(const Measurement& measurement, const UncertainSensorPose& sensor,
                   const LandmarkOptions& options);
 
 /// The place given a further measurement: Eqs. 23-24 and 34-35, or the unscented transform. The
 /// measurement's variance is divided by `trust`, in (0, 1]. Becomes a point where the depth is
 /// good enough. `measurement` must fit in the sense of `fit`.
-void update(Place& place, const Measurement& measurement, const UncertainPose& sensor, double trust,
-            const LandmarkOptions& options);
+void update(Place& place, const Measurement& measurement, const UncertainSensorPose& sensor,
+            double trust, const LandmarkOptions& options);
 
 }  // namespace portolan
