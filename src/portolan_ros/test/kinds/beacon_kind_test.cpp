@@ -73,7 +73,7 @@ TEST(BeaconPicture, ShowsModesWayAndTruthWhereTheyAre) {
   const Picture picture = beacon_picture(scene, 600);
   EXPECT_EQ(picture.width(), 600u);
   EXPECT_LT(picture.height(), 500u);
-  const Picture without = beacon_picture({{}, scene.way, {}}, 600);
+  const Picture without = beacon_picture({{}, scene.way, {}, {}}, 600);
   EXPECT_LT(without.height(), picture.height());
   EXPECT_EQ(beacon_picture(scene, 600).png(), picture.png());
 }
