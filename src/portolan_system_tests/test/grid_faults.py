@@ -41,11 +41,11 @@ def fields_of(kind, offsets=(0, 4, 8), names="xyz"):
 MALFORMED_SCANS = [
     dict(ranges=[]), dict(angle_increment=0.0), dict(angle_increment=math.nan), dict(angle_increment=math.inf),
     dict(angle_min=math.nan), dict(angle_min=-math.inf), dict(range_min=math.nan), dict(range_max=math.nan),
-    dict(range_min=-1.0), dict(range_min=5.0, range_max=1.0), dict(range_max=math.inf),
+    dict(range_min=-1.0), dict(range_min=5.0, range_max=1.0), dict(range_max=-math.inf),
     dict(time_increment=-0.001), dict(time_increment=math.nan), dict(time_increment=1e30)]
 MALFORMED_ECHOES = [
     dict(field_of_view=0.0), dict(field_of_view=-0.5), dict(field_of_view=7.0), dict(field_of_view=math.nan),
-    dict(min_range=-1.0), dict(min_range=5.0, max_range=1.0), dict(max_range=math.inf), dict(max_range=math.nan)]
+    dict(min_range=-1.0), dict(min_range=5.0, max_range=1.0), dict(max_range=-math.inf), dict(max_range=math.nan)]
 MOST = 2**32 - 1
 MALFORMED_CLOUDS = [
     dict(fields=[]), dict(fields=fields_of(PointField.INT8)), dict(fields=fields_of(PointField.FLOAT64)),
