@@ -30,8 +30,10 @@ struct Wood {
     trees_.reserve(count);
     const auto columns = static_cast<std::size_t>(std::ceil(0.5 * side_));
     for (std::size_t i = 0; i < count; ++i) {
-      const double x = 2.0 * static_cast<double>(i % columns) + uniform(-0.4, 0.4);
-      const double y = 2.0 * static_cast<double>(i / columns) + uniform(-0.4, 0.4);
+      const std::size_t column = i % columns;
+      const std::size_t row = i / columns;
+      const double x = 2.0 * static_cast<double>(column) + uniform(-0.4, 0.4);
+      const double y = 2.0 * static_cast<double>(row) + uniform(-0.4, 0.4);
       trees_.emplace_back(x, y, 0.0);
     }
   }

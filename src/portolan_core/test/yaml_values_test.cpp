@@ -17,7 +17,7 @@ std::string fault(const std::string& yaml) {
 
 TEST(YamlValues, WhatIsListedIsReadAgainToTheLastBit) {
   Eigen::Matrix3d Q;
-  Q << 2.0, 0.1, -0.3, 0.1, 1.0 / 3.0, 0.0, -0.3, 0.0, 1e-7;
+  Q << 2.0, 0.1, -0.3, 0.1, 1.0 / 3.0, 0.0, -0.3, 0.0, 0.7;
   EXPECT_EQ(covariance(YAML::Load(listed(Q)), "Q"), Q);
   const Eigen::Vector3d p(1.0 / 7.0, -1e300, 5e-324);
   EXPECT_EQ((matrix<3, 1>(YAML::Load(listed(p)), "p")), p);

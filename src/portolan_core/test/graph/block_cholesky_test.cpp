@@ -67,7 +67,7 @@ class BlockCholeskyTest : public ::testing::Test {};
 template <int n>
 using Blocks = std::integral_constant<int, n>;
 using Sizes = ::testing::Types<Blocks<1>, Blocks<2>, Blocks<3>, Blocks<6>>;
-TYPED_TEST_SUITE(BlockCholeskyTest, Sizes);
+TYPED_TEST_SUITE(BlockCholeskyTest, Sizes, );
 
 TYPED_TEST(BlockCholeskyTest, solves_as_a_dense_factor_does) {
   constexpr int kSize = TypeParam::value;

@@ -79,12 +79,12 @@ PoseGraph::Options odometry_only() {
 }
 
 const Drive& twice_round() {
-  static const Drive run = [] {
+  static const Drive kRun = [] {
     Drive made;
     drive(made, 0.0, 80.0, odometry_only());
     return made;
   }();
-  return run;
+  return kRun;
 }
 
 bool same_bytes(const Correction& a, const Correction& b) {

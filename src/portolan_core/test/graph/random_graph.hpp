@@ -38,6 +38,14 @@ inline Pose small_motion(GraphSpace space, double length, double turn, std::mt19
   return motion;
 }
 
+// Some place for the first pose, a metre ahead for any other.
+inline Pose next_pose(GraphSpace space, const std::vector<Pose>& way, std::mt19937_64& random) {
+  if (way.empty()) return small_motion(space, 5.0, 1.0, random);
+  Pose step = small_motion(space, 0.1, 0.5, random);
+  step.translation().x() += 1.0;
+  return way.back() * step;
+}
+
 // Not a multiple of unity, so that every entry is used.
 inline TangentMatrix random_information(double length, double turn, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-0.3, 0.3);
@@ -68,23 +76,16 @@ inline RandomGraph::Walk RandomGraph::walk(std::mt19937_64& random) const {
     arc.information = random_information(kLength, kTurn, random);
     walk.graph.add(arc);
   };
-  Pose T_map_odom = Pose::Identity();
   for (std::size_t i = 0; i < poses; ++i) {
-    if (i == 0) {
-      walk.truth.push_back(small_motion(space, 5.0, 1.0, random));
-    } else {
-      Pose step = small_motion(space, 0.1, 0.5, random);
-      step.translation().x() += 1.0;
-      walk.truth.push_back(walk.truth.back() * step);
-    }
+    walk.truth.push_back(random_graph_detail::next_pose(space, walk.truth, random));
     GraphPose pose;
     pose.id = static_cast<PoseId>(3 * i);
     pose.T_map_pose = walk.truth.back();
     walk.graph.add(pose);
     if (i == 0) continue;
     measure(i - 1, i, ArcKind::odometry);
-    T_map_odom = walk.graph.poses()[i - 1].T_map_pose * walk.graph.arcs().back().T_from_to;
-    walk.graph.move(i, T_map_odom);
+    const Pose& T_map_last = walk.graph.poses()[i - 1].T_map_pose;
+    walk.graph.move(i, T_map_last * walk.graph.arcs().back().T_from_to);
   }
   std::uniform_int_distribution<std::size_t> any(0, poses - 1);
   while (walk.graph.arcs().size() < poses - 1 + loops) {

@@ -99,10 +99,10 @@ std::optional<Sensed<FramedFeatures>> image_features(const portolan_msgs::ImageF
 std::optional<Sensed<FramedCamera>> camera_info(const sensor_msgs::CameraInfo& message) {
   const auto& K = message.K;
   const auto& P = message.P;
-  const bool has_P = P[0] != 0.0;
+  const bool is_rectified = P[0] != 0.0;
   const FramedCamera z{
       without_slash(message.header.frame_id),
-      has_P ? PinholeCamera{P[0], P[5], P[2], P[6]} : PinholeCamera{K[0], K[4], K[2], K[5]}};
+      is_rectified ? PinholeCamera{P[0], P[5], P[2], P[6]} : PinholeCamera{K[0], K[4], K[2], K[5]}};
   if (!is_usable(z.camera)) return std::nullopt;
   const Time stamp = time(message.header.stamp);
   return Sensed<FramedCamera>{message.header.frame_id, stamp, stamp, z};

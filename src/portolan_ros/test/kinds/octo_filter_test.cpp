@@ -18,15 +18,17 @@ OctoFilter filter(const OctoFilterOptions& options) {
 PointCloud scene() {
   PointCloud cloud;
   for (int i = 0; i < 40; ++i) {
-    const auto x = 0.1F * static_cast<float>(i % 8);
-    cloud.points.emplace_back(1.0F + x, 0.1F * static_cast<float>(i / 8), -1.0F);
+    const int column = i % 8;
+    const int row = i / 8;
+    cloud.points.emplace_back(1.0F + 0.1F * static_cast<float>(column),
+                              0.1F * static_cast<float>(row), -1.0F);
   }
   cloud.points.emplace_back(1.5F, 0.0F, -0.6F);
   cloud.points.emplace_back(1.5F, 0.0F, 1.5F);
   return cloud;
 }
 
-PosedInput::SensorPose pose(std::vector<double> heights) {
+PosedInput::SensorPose pose(const std::vector<double>& heights) {
   PosedInput::SensorPose pose{Pose::Identity(), Pose::Identity()};
   for (const double z : heights) {
     pose.T_reference_sensor.emplace_back(Eigen::Translation3d(0.0, 0.0, z));

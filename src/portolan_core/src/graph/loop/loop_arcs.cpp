@@ -90,6 +90,7 @@ std::vector<std::size_t> confirmation(const PlacedKeyframes& placed, const Chain
   const std::vector<Arc>& arcs = placed.graph.arcs();
   const std::vector<std::size_t> near = loops_near(placed, arcs[arc], options.confirmation_reach);
   std::vector<Link> loops;
+  loops.reserve(near.size());
   for (const std::size_t i : near) loops.push_back(link_of(arcs[i]));
   const auto self =
       static_cast<std::size_t>(std::find(near.begin(), near.end(), arc) - near.begin());

@@ -81,6 +81,7 @@ std::vector<LoopCandidate> loop_candidates(const std::vector<Keyframe>& keyframe
                    [](const Visit& a, const Visit& b) { return a.distance < b.distance; });
   visits.resize(std::min(visits.size(), static_cast<std::size_t>(options.candidates)));
   std::vector<LoopCandidate> found;
+  found.reserve(visits.size());
   for (const Visit& visit : visits) {
     found.push_back({visit.keyframe, inverse(*T_now[visit.keyframe])});
   }
