@@ -103,12 +103,12 @@ PORTOLAN_INLINE void solve_forward(const double* l, Index ld, Index rows, Index 
 template <class Vector>
 PORTOLAN_INLINE void solve_backward(const double* l, Index ld, Index rows, Index columns,
                                     double* x) {
-  constexpr Index w = kWidth<Vector>;
+  constexpr Index kStep = kWidth<Vector>;
   for (Index j = columns - 1; j >= 0; --j) {
     const double* column = l + j * ld;
     Vector sums = {};
     Index i = j + 1;
-    for (; i + w <= rows; i += w) {
+    for (; i + kStep <= rows; i += kStep) {
       Vector a;
       Vector b;
       load(a, column + i);
@@ -116,7 +116,7 @@ PORTOLAN_INLINE void solve_backward(const double* l, Index ld, Index rows, Index
       sums += a * b;
     }
     double sum = 0.0;
-    for (Index k = 0; k < w; ++k) sum += sums[k];
+    for (Index k = 0; k < kStep; ++k) sum += sums[k];
     for (; i < rows; ++i) sum += column[i] * x[i];
     x[j] = (x[j] - sum) / column[j];
   }

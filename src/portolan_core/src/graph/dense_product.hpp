@@ -57,9 +57,9 @@ PORTOLAN_INLINE void subtract_tile(double* c, Index ldc, const double* a, Index 
 template <class Vector, int columns>
 PORTOLAN_INLINE void subtract_columns(double* c, Index ldc, Index rows, const double* a, Index lda,
                                       const double* b, Index ldb, Index depth) {
-  constexpr Index w = kWidth<Vector>;
+  constexpr Index kStep = kWidth<Vector>;
   Index i = 0;
-  for (; i + 2 * w <= rows; i += 2 * w) {
+  for (; i + 2 * kStep <= rows; i += 2 * kStep) {
     subtract_tile<Vector, columns, 2>(c + i, ldc, a + i, lda, b, ldb, depth);
   }
   if (i < rows) subtract_tile<Vector, columns, 1>(c + i, ldc, a + i, lda, b, ldb, depth);
@@ -98,8 +98,8 @@ PORTOLAN_INLINE void subtract_trapezoid(double* c, Index ldc, Index first, Index
 template <class Vector>
 PORTOLAN_INLINE void subtract_square(double* c, Index ldc, Index n, const double* a, Index lda,
                                      Index depth) {
-  constexpr Index w = kWidth<Vector>;
-  const Index rows = (n + w - 1) / w * w;
+  constexpr Index kStep = kWidth<Vector>;
+  const Index rows = (n + kStep - 1) / kStep * kStep;
   for (Index k = 0; k < depth; k += kDepth) {
     subtract_trapezoid<Vector>(c, ldc, 0, n, rows, a + k * lda, lda, std::min(kDepth, depth - k));
   }

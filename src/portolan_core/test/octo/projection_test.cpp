@@ -16,8 +16,10 @@ bool is_occupied(const OctoMapper& map, const octomap::point3d& p) {
 bool is_speckle(const OctoMapper& map, const octomap::point3d& p) {
   const auto step = static_cast<float>(map.lattice().resolution());
   for (int i = 0; i < 27; ++i) {
-    const octomap::point3d way(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1),
-                               static_cast<float>(i / 9 - 1));
+    const int x = i % 3 - 1;
+    const int y = i / 3 % 3 - 1;
+    const int z = i / 9 - 1;
+    const octomap::point3d way(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
     if (i != 13 && is_occupied(map, p + way * step)) return false;
   }
   return true;
