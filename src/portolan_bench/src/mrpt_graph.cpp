@@ -25,7 +25,7 @@ struct Converted {
   using Mean = std::decay_t<decltype(std::declval<Constraint>().mean)>;
 
   explicit Converted(const Graph& graph) {
-    constexpr bool planar = std::is_same_v<Mean, mrpt::poses::CPose2D>;
+    constexpr bool kIsPlanar = std::is_same_v<Mean, mrpt::poses::CPose2D>;
     for (const GraphPose& given : graph.poses()) {
       network.nodes[static_cast<mrpt::graphs::TNodeID>(given.id)] =
           typename Network::global_pose_t(mean(given.T_map_pose));
@@ -36,7 +36,7 @@ struct Converted {
       constraint.mean = mean(arc.T_from_to);
       // MRPT's turns of a 3D pose are yaw, pitch and roll.
       const std::array<int, 6> order =
-          planar ? std::array<int, 6>{0, 1, 5, 0, 0, 0} : std::array<int, 6>{0, 1, 2, 5, 4, 3};
+          kIsPlanar ? std::array<int, 6>{0, 1, 5, 0, 0, 0} : std::array<int, 6>{0, 1, 2, 5, 4, 3};
       for (int i = 0; i < constraint.cov_inv.rows(); ++i) {
         for (int j = 0; j < constraint.cov_inv.cols(); ++j) {
           constraint.cov_inv(i, j) = arc.information(order[static_cast<std::size_t>(i)],
