@@ -30,34 +30,34 @@ class BeaconKindFiles : public testing::Test {
   BeaconKindFiles() {
     std::string name = (fs::temp_directory_path() / "beacon_kind_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for the test");
-    folder_ = name;
+    folder = name;
   }
-  ~BeaconKindFiles() override { fs::remove_all(folder_); }
+  ~BeaconKindFiles() override { fs::remove_all(folder); }
 
-  fs::path folder_;
+  fs::path folder;
 };
 
 TEST_F(BeaconKindFiles, WhatIsSavedIsLoaded) {
   const FileSet files = BeaconKind::save(heard(), "anchors", {});
-  save_files(folder_, files);
-  const BeaconMapper loaded = BeaconKind::load(folder_, "anchors", {});
+  save_files(folder, files);
+  const BeaconMapper loaded = BeaconKind::load(folder, "anchors", {});
   EXPECT_EQ(BeaconKind::save(loaded, "anchors", {}), files);
 }
 
 TEST_F(BeaconKindFiles, WhatCannotBeLoadedIsCalledByItsPath) {
   const auto fault = [this](const std::string& text) -> std::string {
-    save_files(folder_, {{"beacons.yaml", text}});
+    save_files(folder, {{"beacons.yaml", text}});
     try {
-      BeaconKind::load(folder_, "beacons", {});
+      BeaconKind::load(folder, "beacons", {});
     } catch (const std::runtime_error& error) {
       return error.what();
     }
     return "";
   };
-  const std::string path = (folder_ / "beacons.yaml").string();
+  const std::string path = (folder / "beacons.yaml").string();
   EXPECT_EQ(fault("version: 2\nbeacons: []\n"), path + ": version must be 1");
   EXPECT_EQ(fault("[}").substr(0, path.size()), path);
-  EXPECT_THROW(BeaconKind::load(folder_, "missing", {}), std::runtime_error);
+  EXPECT_THROW(BeaconKind::load(folder, "missing", {}), std::runtime_error);
 }
 
 TEST(BeaconPicture, ShowsModesWayAndTruthWhereTheyAre) {
