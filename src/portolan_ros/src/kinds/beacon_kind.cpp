@@ -31,7 +31,7 @@ FileSet BeaconKind::pictures(const BeaconMapper& map, const std::string& name,
   BeaconScene scene;
   scene.beacons = map.estimates();
   if (scene.beacons.empty()) return {};
-  for (const Pose& pose : T_map_base) scene.way.push_back(pose.translation());
+  for (const Pose& pose : T_map_base) scene.way.emplace_back(pose.translation());
   return {{name + ".png", beacon_picture(scene, kSide).png()}};
 }
 

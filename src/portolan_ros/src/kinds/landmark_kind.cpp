@@ -39,7 +39,7 @@ FileSet LandmarkKind::pictures(const LandmarkMapper& map, const std::string& nam
     scene.beacons.push_back(drawn);
   }
   if (scene.beacons.empty()) return {};
-  for (const Pose& pose : T_map_base) scene.way.push_back(pose.translation());
+  for (const Pose& pose : T_map_base) scene.way.emplace_back(pose.translation());
   return {{name + ".png", beacon_picture(scene, kSide).png()}};
 }
 

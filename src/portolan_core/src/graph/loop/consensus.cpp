@@ -9,12 +9,13 @@ namespace portolan {
 void Chain::add(const UncertainPose& T_last_next) {
   if (poses_.empty()) {
     poses_.push_back(Pose::Identity());
-    sums_.push_back(TangentMatrix::Zero());
+    sums_.emplace_back(TangentMatrix::Zero());
     return;
   }
   poses_.push_back(poses_.back() * T_last_next.mean);
   const TangentMatrix A = adjoint(poses_.back());
-  sums_.push_back(sums_.back() + A * T_last_next.covariance * A.transpose());
+  const TangentMatrix sum = sums_.back() + A * T_last_next.covariance * A.transpose();
+  sums_.push_back(sum);
 }
 
 UncertainPose Chain::between(std::size_t i, std::size_t j) const {

@@ -21,7 +21,7 @@ class OctoServices {
  private:
   using Query = octomap_msgs::BoundingBoxQuery;
 
-  bool clear(const Query::Request& box);
+  bool clear(const Query::Request& request);
 
   Remapper<OctoMapper>& map_;
   SensorId next_word_;
