@@ -2,14 +2,14 @@
 #include "portolan_ros/picture.hpp"
 
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "decoded_png.hpp"
 
 namespace portolan {
 namespace {
@@ -18,31 +18,9 @@ constexpr Picture::Colour kWhite = {255, 255, 255};
 constexpr Picture::Colour kBlack = {0, 0, 0};
 constexpr Picture::Colour kRed = {200, 10, 20};
 
-/// What any program sees in the PNG file.
-struct Decoded {
-  explicit Decoded(const std::string& bytes) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    EXPECT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0);
-    image.format = PNG_FORMAT_RGB;
-    width = image.width;
-    height = image.height;
-    pixels.resize(PNG_IMAGE_SIZE(image));
-    EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr), 0);
-  }
-  Picture::Colour at(std::size_t column, std::size_t row) const {
-    const std::uint8_t* pixel = &pixels[3 * (row * width + column)];
-    return {pixel[0], pixel[1], pixel[2]};
-  }
-
-  std::size_t width = 0;
-  std::size_t height = 0;
-  std::vector<std::uint8_t> pixels;
-};
-
 /// As text, rows from the top: '#' where anything was drawn.
 std::string drawn(const Picture& picture) {
-  const Decoded decoded(picture.png());
+  const DecodedPng decoded(picture.png());
   std::string text;
   for (std::size_t row = 0; row < decoded.height; ++row) {
     text += '\n';
@@ -57,7 +35,7 @@ TEST(Picture, IsReadBackAsItWasDrawn) {
   Picture picture(7, 3, kWhite);
   picture.set(0, 0, kBlack);
   picture.set(6, 2, kRed);
-  const Decoded decoded(picture.png());
+  const DecodedPng decoded(picture.png());
   ASSERT_EQ(decoded.width, 7u);
   ASSERT_EQ(decoded.height, 3u);
   for (std::size_t row = 0; row < 3; ++row) {

@@ -6,6 +6,7 @@
 #include "portolan_ros/bag/tally_summary.hpp"
 #include "portolan_ros/convert/basics.hpp"
 #include "portolan_ros/graph/graph_keeper.hpp"
+#include "portolan_ros/graph/graph_picture.hpp"
 
 namespace portolan {
 
@@ -66,10 +67,11 @@ void BagGraph::take(const rosbag::MessageInstance& message) {
 void BagGraph::finish() { pipeline_.poll(newest_ + seconds(options_.posing.tf_wait + 1.0)); }
 
 FileSet BagGraph::files() const {
-  FileSet files = graph_file_set(pipeline_.graph(), options_.map_name);
+  const PoseGraph& graph = pipeline_.graph();
+  FileSet files = graph_file_set(graph, options_.map_name);
   files.erase(options_.map_name + ".tum");
   if (!trajectory_.empty()) files["trajectory.tum"] = trajectory_.tum(correction());
-  const std::string picture = graph_picture(pipeline_.graph());
+  const std::string picture = graph_picture(graph.graph(), surfaces_of(graph));
   if (!picture.empty()) files[options_.map_name + ".png"] = picture;
   return files;
 }

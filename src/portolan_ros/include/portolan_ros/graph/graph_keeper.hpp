@@ -11,9 +11,6 @@ namespace portolan {
 /// The graph's files: NAME.g2o, NAME.stamps and NAME.tum.
 FileSet graph_file_set(const PoseGraph& graph, const std::string& name);
 
-/// A picture of the arcs by kind and of the surfaces that were seen; empty for an empty graph.
-std::string graph_picture(const PoseGraph& graph);
-
 /// Keeps a pose graph in files, and begins again from files. Each says in a sentence what it did,
 /// and throws where it can't; then graph and files are as before.
 class GraphKeeper {

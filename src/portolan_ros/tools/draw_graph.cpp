@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// draw_graph IN.g2o FOLDER: a pose graph in two pictures, NAME_tree.png with the coordinates of its
+// spanning tree (Figure 5a of the chapter) and NAME_consistent.png with those that contradict the
+// arcs least.
+#include <filesystem>
+#include <stdexcept>
+
+#include "portolan/graph/g2o_file.hpp"
+#include "portolan/graph/graph_optimizer.hpp"
+#include "portolan/graph/spanning_tree.hpp"
+#include "portolan_ros/graph/graph_picture.hpp"
+#include "portolan_ros/report.hpp"
+
+int main(int argc, char** argv) try {
+  if (argc != 3) throw std::invalid_argument("usage: draw_graph IN.g2o FOLDER");
+  const std::filesystem::path in = argv[1];
+  const std::string name = in.stem();
+  portolan::Graph graph = portolan::load_graph(in);
+  if (graph.poses().empty()) throw std::runtime_error(in.string() + ": no poses");
+  portolan::place_along(portolan::spanning_tree(graph), graph);
+  portolan::FileSet pictures;
+  pictures[name + "_tree.png"] = portolan::graph_picture(graph);
+  portolan::GraphOptimizer().optimize(graph);
+  pictures[name + "_consistent.png"] = portolan::graph_picture(graph);
+  std::filesystem::create_directories(argv[2]);
+  portolan::save_files(argv[2], pictures);
+  return 0;
+} catch (const std::exception& error) {
+  return portolan::report(error);
+}
