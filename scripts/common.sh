@@ -35,5 +35,5 @@ build_core_without_ros() {
   "${plain[@]}" cmake -S "$root/src/portolan_core" -B "$dir" -G Ninja \
     -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DPORTOLAN_WERROR=ON "${compiler_launcher[@]}" "$@"
   "${plain[@]}" cmake --build "$dir" -j "$jobs"
-  (cd "$dir" && "${plain[@]}" ctest --output-on-failure)
+  (cd "$dir" && "${plain[@]}" ctest -j "$jobs" --output-on-failure)
 }

@@ -46,8 +46,12 @@ function(portolan_add_tests)
     find_package(GTest REQUIRED)
     add_executable(${target} ${sources})
     target_link_libraries(${target} GTest::GTest)
-    add_test(NAME ${target}
-      COMMAND ${target} --gtest_output=xml:${CMAKE_BINARY_DIR}/test_results/${PROJECT_NAME}/)
+    # In four parts, so that `ctest -j` has something to share out.
+    foreach(part RANGE 3)
+      add_test(NAME ${target}_${part} COMMAND ${target})
+      set_tests_properties(${target}_${part} PROPERTIES
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${part}")
+    endforeach()
   endif()
   if(TARGET GTest::gtest_main)
     target_link_libraries(${target} GTest::gtest_main)
