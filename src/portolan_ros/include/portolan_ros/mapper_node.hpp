@@ -84,18 +84,7 @@ class MapperNode {
 
 template <class Kind>
 void MapperNode<Kind>::subscribe_to_poses() {
-  constexpr int kQueue = 1000;
-  subscriptions_.add<tf2_msgs::TFMessage>(
-      "/tf", kQueue,
-      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, false, now()); });
-  subscriptions_.add<tf2_msgs::TFMessage>(
-      "/tf_static", kQueue,
-      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, true, now()); });
-  if (!options_.node.odom_topic.empty()) {
-    subscriptions_.add<nav_msgs::Odometry>(
-        options_.node.odom_topic, kQueue,
-        [this](const nav_msgs::Odometry& message) { pipeline_.receive_odometry(message, now()); });
-  }
+  subscriptions_.add_poses(options_.node.odom_topic, pipeline_, &now);
   subscriptions_.add<portolan_msgs::DriftCorrection>(
       "drift_correction", 1,
       [this](const portolan_msgs::DriftCorrection& message) { correct(message); });

@@ -11,40 +11,13 @@
 namespace portolan {
 
 BagGraph::BagGraph(const GraphNodeOptions& options) : options_(checked(options)) {
-  const auto on_tf = [this](bool is_static) {
-    return [this, is_static](const rosbag::MessageInstance& instance, Time now) {
-      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
-      if (!message) return;
-      trajectory_.receive_tf(*message);
-      pipeline_.receive_tf(*message, is_static, now);
-    };
-  };
-  handle("tf", on_tf(false));
-  handle("tf_static", on_tf(true));
-  if (!options_.odom_topic.empty()) {
-    handle(options_.odom_topic, [this](const rosbag::MessageInstance& instance, Time now) {
-      const auto message = instance.instantiate<nav_msgs::Odometry>();
-      if (!message) return;
-      trajectory_.receive_odometry(*message);
-      pipeline_.receive_odometry(*message, now);
-    });
-  }
+  topics_.add_poses(options_.odom_topic, trajectory_, pipeline_);
   for (const std::string& topic : options_.scan_topics) {
-    handle(topic, [this](const rosbag::MessageInstance& instance, Time now) {
-      const auto message = instance.instantiate<sensor_msgs::LaserScan>();
-      if (message) pipeline_.receive_scan(*message, now);
-    });
+    topics_.add<sensor_msgs::LaserScan>(topic,
+                                        [this](const sensor_msgs::LaserScan& message, Time now) {
+                                          pipeline_.receive_scan(message, now);
+                                        });
   }
-}
-
-void BagGraph::handle(const std::string& topic, Handler handler) {
-  handlers_[ros_convert::without_slash(topic)] = std::move(handler);
-}
-
-std::set<std::string> BagGraph::topics() const {
-  std::set<std::string> names;
-  for (const auto& [topic, handler] : handlers_) names.insert(topic);
-  return names;
 }
 
 std::set<std::string> BagGraph::input_topics() const {
@@ -55,16 +28,9 @@ std::set<std::string> BagGraph::input_topics() const {
   return names;
 }
 
-void BagGraph::take(const rosbag::MessageInstance& message) {
-  const auto found = handlers_.find(ros_convert::without_slash(message.getTopic()));
-  if (found == handlers_.end()) return;
-  const auto start = std::chrono::steady_clock::now();
-  newest_ = ros_convert::time(message.getTime());
-  found->second(message, newest_);
-  wall_time_ += std::chrono::steady_clock::now() - start;
+void BagGraph::finish() {
+  pipeline_.poll(topics_.newest() + seconds(options_.posing.tf_wait + 1.0));
 }
-
-void BagGraph::finish() { pipeline_.poll(newest_ + seconds(options_.posing.tf_wait + 1.0)); }
 
 FileSet BagGraph::files() const {
   const PoseGraph& graph = pipeline_.graph();
@@ -91,7 +57,7 @@ YAML::Node BagGraph::summary() const {
   }
   for (const auto& [what, count] : arcs) node["arcs"][what] = count;
   node["doubts"] = graph.report() ? to_string(graph.report()->doubts) : "none";
-  node["wall_time"] = wall_time_.count();
+  node["wall_time"] = topics_.wall_time();
   node["options"] = YAML::Load(to_yaml(option_rows(options_)));
   return node;
 }

@@ -45,18 +45,7 @@ PoseGraphNode::PoseGraphNode(const ros::NodeHandle& handle, const ros::NodeHandl
 }
 
 void PoseGraphNode::subscribe() {
-  constexpr int kQueue = 1000;
-  subscriptions_.add<tf2_msgs::TFMessage>(
-      "/tf", kQueue,
-      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, false, now()); });
-  subscriptions_.add<tf2_msgs::TFMessage>(
-      "/tf_static", kQueue,
-      [this](const tf2_msgs::TFMessage& message) { pipeline_.receive_tf(message, true, now()); });
-  if (!options_.odom_topic.empty()) {
-    subscriptions_.add<nav_msgs::Odometry>(
-        options_.odom_topic, kQueue,
-        [this](const nav_msgs::Odometry& message) { pipeline_.receive_odometry(message, now()); });
-  }
+  subscriptions_.add_poses(options_.odom_topic, pipeline_, &now);
   for (const std::string& topic : options_.scan_topics) {
     subscriptions_.add<sensor_msgs::LaserScan>(
         topic, options_.posing.queue_size,

@@ -4,13 +4,11 @@
 #include <rosbag/message_instance.h>
 #include <yaml-cpp/yaml.h>
 
-#include <chrono>
-#include <functional>
-#include <map>
 #include <set>
 #include <string>
 
 #include "portolan/map_file.hpp"
+#include "portolan_ros/bag/bag_topics.hpp"
 #include "portolan_ros/bag/trajectory.hpp"
 #include "portolan_ros/graph/graph_pipeline.hpp"
 
@@ -24,9 +22,9 @@ class BagGraph {
   /// Throws OptionsError.
   explicit BagGraph(const GraphNodeOptions& options);
 
-  std::set<std::string> topics() const;
+  std::set<std::string> topics() const { return topics_.names(); }
   std::set<std::string> input_topics() const;
-  void take(const rosbag::MessageInstance& message);
+  void take(const rosbag::MessageInstance& message) { topics_.take(message); }
   /// No more messages come: what still waits for tf is used or dropped.
   void finish();
 
@@ -39,16 +37,10 @@ class BagGraph {
   const std::vector<Tally>& tallies() const { return pipeline_.posed().tallies(); }
 
  private:
-  using Handler = std::function<void(const rosbag::MessageInstance&, Time)>;
-
-  void handle(const std::string& topic, Handler handler);
-
   GraphNodeOptions options_;
   GraphPipeline pipeline_{options_};
   Trajectory trajectory_{options_.posing.odom_frame, options_.base_frame};
-  std::map<std::string, Handler> handlers_;  // by topic without its slash
-  Time newest_;
-  std::chrono::duration<double> wall_time_{0.0};  // [s]
+  BagTopics topics_;
 };
 
 }  // namespace portolan

@@ -4,13 +4,11 @@
 #include <rosbag/message_instance.h>
 #include <yaml-cpp/yaml.h>
 
-#include <chrono>
-#include <functional>
-#include <map>
 #include <set>
 #include <string>
 
 #include "portolan/map_file.hpp"
+#include "portolan_ros/bag/bag_topics.hpp"
 #include "portolan_ros/bag/tally_summary.hpp"
 #include "portolan_ros/bag/trajectory.hpp"
 #include "portolan_ros/pipeline.hpp"
@@ -25,16 +23,11 @@ class BagMapper {
   explicit BagMapper(const MapperNodeOptions<Kind>& options);
 
   /// The topics that it wants, tf among them; then those of its inputs alone.
-  std::set<std::string> topics() const {
-    std::set<std::string> names;
-    for (const auto& [topic, handlers] : handlers_) names.insert(topic);
-    return names;
-  }
-
+  std::set<std::string> topics() const { return topics_.names(); }
   const std::set<std::string>& input_topics() const { return input_topics_; }
 
   /// Takes one message of the bag; one that does not concern it is left out.
-  void take(const rosbag::MessageInstance& message);
+  void take(const rosbag::MessageInstance& message) { topics_.take(message); }
 
   /// No more messages come: what still waits for tf is used or dropped, and the map drawn.
   void finish();
@@ -48,51 +41,22 @@ class BagMapper {
   const std::vector<Tally>& tallies() const { return pipeline_.posed().tallies(); }
 
  private:
-  using Handler = std::function<void(const rosbag::MessageInstance&, Time)>;
-
   template <class Message, class SensorReading>
   void add_input(const std::string& name, const std::string& noun,
                  std::optional<Sensed<SensorReading>> (*convert)(const Message&));
-  void add_poses();
-  void handle(const std::string& topic, Handler handler) {
-    handlers_[ros_convert::without_slash(topic)].push_back(std::move(handler));
-  }
 
   MapperNodeOptions<Kind> options_;
   Pipeline<Kind> pipeline_{options_.pipeline, options_.mapper, options_.filter};
   Trajectory trajectory_{options_.pipeline.posing.odom_frame, options_.pipeline.base_frame};
-  std::map<std::string, std::vector<Handler>> handlers_;  // by topic without its slash
+  BagTopics topics_;
   std::set<std::string> input_topics_;
-  Time newest_;
-  std::chrono::duration<double> wall_time_{0.0};  // [s]
 };
 
 template <class Kind>
 BagMapper<Kind>::BagMapper(const MapperNodeOptions<Kind>& options) : options_(checked(options)) {
-  add_poses();
+  topics_.add_poses(options_.node.odom_topic, trajectory_, pipeline_);
   Kind::inputs([this](const std::string& name, const std::string& noun, auto convert) {
     this->add_input(name, noun, convert);
-  });
-}
-
-template <class Kind>
-void BagMapper<Kind>::add_poses() {
-  const auto on_tf = [this](bool is_static) {
-    return [this, is_static](const rosbag::MessageInstance& instance, Time now) {
-      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
-      if (!message) return;
-      trajectory_.receive_tf(*message);
-      pipeline_.receive_tf(*message, is_static, now);
-    };
-  };
-  handle("tf", on_tf(false));
-  handle("tf_static", on_tf(true));
-  if (options_.node.odom_topic.empty()) return;
-  handle(options_.node.odom_topic, [this](const rosbag::MessageInstance& instance, Time now) {
-    const auto message = instance.instantiate<nav_msgs::Odometry>();
-    if (!message) return;
-    trajectory_.receive_odometry(*message);
-    pipeline_.receive_odometry(*message, now);
   });
 }
 
@@ -103,26 +67,15 @@ void BagMapper<Kind>::add_input(const std::string& name, const std::string& noun
   const std::size_t input = pipeline_.add_input(noun);
   for (const std::string& topic : options_.topics.by_input.at(name)) {
     input_topics_.insert(ros_convert::without_slash(topic));
-    handle(topic, [this, input, convert](const rosbag::MessageInstance& instance, Time now) {
-      const auto message = instance.instantiate<Message>();
-      if (message) pipeline_.receive(input, convert(*message), now);
+    topics_.add<Message>(topic, [this, input, convert](const Message& message, Time now) {
+      pipeline_.receive(input, convert(message), now);
     });
   }
 }
 
 template <class Kind>
-void BagMapper<Kind>::take(const rosbag::MessageInstance& message) {
-  const auto found = handlers_.find(ros_convert::without_slash(message.getTopic()));
-  if (found == handlers_.end()) return;
-  const auto start = std::chrono::steady_clock::now();
-  newest_ = ros_convert::time(message.getTime());
-  for (const Handler& handler : found->second) handler(message, newest_);
-  wall_time_ += std::chrono::steady_clock::now() - start;
-}
-
-template <class Kind>
 void BagMapper<Kind>::finish() {
-  pipeline_.poll(newest_ + seconds(options_.pipeline.posing.tf_wait + 1.0));
+  pipeline_.poll(topics_.newest() + seconds(options_.pipeline.posing.tf_wait + 1.0));
   pipeline_.remapper().finish();
 }
 
@@ -142,7 +95,7 @@ YAML::Node BagMapper<Kind>::summary() const {
   node["inputs"] = counts_of(tallies());
   node["transforms_refused"] = pipeline_.posed().bad_transforms();
   node["counts"] = counts_of<Kind>(pipeline_.remapper().map());
-  node["wall_time"] = wall_time_.count();
+  node["wall_time"] = topics_.wall_time();
   node["options"] = YAML::Load(to_yaml(option_rows(options_)));
   return node;
 }
