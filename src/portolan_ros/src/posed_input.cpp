@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/exact_tf.hpp"
 
 namespace portolan {
 
@@ -45,39 +46,11 @@ bool is_well_formed(const geometry_msgs::TransformStamped& transform) {
          is_valid(ros_convert::pose(transform.transform));
 }
 
-/// With a quaternion of exact length: tf2 would scale points by what it is off.
-geometry_msgs::TransformStamped normalized(geometry_msgs::TransformStamped transform) {
-  geometry_msgs::Quaternion& q = transform.transform.rotation;
-  const double norm = Eigen::Quaterniond(q.w, q.x, q.y, q.z).norm();
-  q.w /= norm;
-  q.x /= norm;
-  q.y /= norm;
-  q.z /= norm;
-  return transform;
-}
-
 bool is_far_ahead(Time stamp, Time now) {
   return now != Time{} && stamp > now + std::chrono::hours(1);
 }
 
 bool is_frame_name(const std::string& name) { return !name.empty() && name.front() != '/'; }
-
-// Without its last bits. tf2 interpolates between a stamp and itself or not, depending on which of
-// its neighbours have come already; the map must not depend on that.
-geometry_msgs::Transform rounded(geometry_msgs::Transform transform) {
-  constexpr double kLength = 4294967296.0;       // steps in a metre
-  constexpr double kRotation = 1099511627776.0;  // steps of a quaternion's parts
-  const auto round = [](double& value, double steps) { value = std::round(value * steps) / steps; };
-  for (double* length :
-       {&transform.translation.x, &transform.translation.y, &transform.translation.z}) {
-    round(*length, kLength);
-  }
-  for (double* part : {&transform.rotation.x, &transform.rotation.y, &transform.rotation.z,
-                       &transform.rotation.w}) {
-    round(*part, kRotation);
-  }
-  return transform;
-}
 
 }  // namespace
 
@@ -118,7 +91,7 @@ void PosedInput::receive_tf(const tf2_msgs::TFMessage& message, bool is_static, 
   const SilentTf2 silence;
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
     const bool good = is_well_formed(transform) && (is_static || is_timely(transform, now)) &&
-                      tf_.setTransform(normalized(transform), kAuthority, is_static);
+                      tf_.setTransform(without_last_bits(transform), kAuthority, is_static);
     if (!good) ++bad_transforms_;
     if (good && !is_static) take_back_doubt(transform);
   }
@@ -130,7 +103,7 @@ void PosedInput::take_back_doubt(const geometry_msgs::TransformStamped& confirmi
   const Duration apart =
       ros_convert::time(confirming.header.stamp) - ros_convert::time(held->second.header.stamp);
   const bool confirmed = std::abs(to_seconds(apart)) <= options_.tf_buffer;
-  if (confirmed && tf_.setTransform(normalized(held->second), kAuthority)) --bad_transforms_;
+  if (confirmed && tf_.setTransform(without_last_bits(held->second), kAuthority)) --bad_transforms_;
   doubtful_.erase(held);
 }
 
@@ -217,36 +190,24 @@ bool PosedInput::is_timely(const geometry_msgs::TransformStamped& transform, Tim
 
 std::optional<PosedInput::SensorPose> PosedInput::pose_of(const Message& message) const {
   const std::string& odom = options_.odom_frame;
-  const std::optional<Pose> first = look_up(odom, message.frame, message.first);
+  const std::optional<Pose> first = look_up(tf_, odom, message.frame, message.first);
   if (!first) return std::nullopt;
   const std::optional<Pose> last =
-      message.last == message.first ? first : look_up(odom, message.frame, message.last);
+      message.last == message.first ? first : look_up(tf_, odom, message.frame, message.last);
   if (!last) return std::nullopt;
   SensorPose pose{*first, first->inverse() * *last};
   for (const std::string& reference : message.references) {
-    const std::optional<Pose> there = look_up(reference, message.frame, message.first);
+    const std::optional<Pose> there = look_up(tf_, reference, message.frame, message.first);
     if (!there) return std::nullopt;
     pose.T_reference_sensor.push_back(*there);
   }
   return pose;
 }
 
-std::optional<Pose> PosedInput::look_up(const std::string& target, const std::string& frame,
-                                        Time stamp) const {
-  const ros::Time time = ros_convert::time(stamp);
-  // Asking first is far cheaper than an exception for each message that waits, at each transform.
-  if (!is_frame_name(frame) || !tf_.canTransform(target, frame, time)) return std::nullopt;
-  try {
-    return ros_convert::pose(rounded(tf_.lookupTransform(target, frame, time).transform));
-  } catch (const tf2::TransformException&) {
-    return std::nullopt;
-  }
-}
-
 std::string PosedInput::missing_target(const Message& message) const {
   const auto is_missing = [&](const std::string& target) {
-    return !look_up(target, message.frame, message.first) ||
-           !look_up(target, message.frame, message.last);
+    return !look_up(tf_, target, message.frame, message.first) ||
+           !look_up(tf_, target, message.frame, message.last);
   };
   if (is_missing(options_.odom_frame)) return options_.odom_frame;
   const auto found = std::find_if(message.references.begin(), message.references.end(), is_missing);

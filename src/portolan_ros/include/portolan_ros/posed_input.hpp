@@ -119,8 +119,6 @@ class PosedInput {
   bool is_repeated(std::size_t input, const Message& message);
   bool try_to_use(Waiting& waiting);
   std::optional<SensorPose> pose_of(const Message& message) const;
-  std::optional<Pose> look_up(const std::string& target, const std::string& frame,
-                              Time stamp) const;
   std::string missing_target(const Message& message) const;
   std::string why_not(const Message& message) const;
   void make_room();
