@@ -4,31 +4,14 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/Bool.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <utility>
 
-#include "event_messages.hpp"
 #include "portolan_ros/convert/basics.hpp"
 
 namespace portolan::sim {
 
 namespace {
-
-/// As tf has it.
-geometry_msgs::TransformStamped transform_of(const std_msgs::Header& header,
-                                             const std::string& child, const Pose& pose) {
-  geometry_msgs::TransformStamped transform;
-  transform.header = header;
-  transform.child_frame_id = child;
-  transform.transform = ros_convert::transform(pose);
-  return transform;
-}
-
-/// The topic of the camera's calibration: camera_info beside its features.
-std::string info_topic(const std::string& features) {
-  return features.substr(0, features.rfind('/') + 1) + "camera_info";
-}
 
 template <class Sensor>
 using MessageOf =
@@ -44,7 +27,7 @@ std::int8_t percent(TruthGrid::Cell cell) {
 
 Publishers::Publishers(const ros::NodeHandle& handle, const RobotSimOptions& options,
                        const std::vector<AnySensor>& sensors)
-    : handle_(handle), options_(options) {
+    : handle_(handle), options_(options), messages_(options, sensors) {
   if (options.publish_clock) advertise<rosgraph_msgs::Clock>("/clock");
   advertise<tf2_msgs::TFMessage>("/tf");
   advertise<tf2_msgs::TFMessage>("/tf_static", true);
@@ -63,8 +46,7 @@ Publishers::Publishers(const ros::NodeHandle& handle, const RobotSimOptions& opt
       advertise<MessageOf<Sensor>>(topic);
     }
     if constexpr (std::is_same_v<Sensor, Camera>) {
-      advertise<sensor_msgs::CameraInfo>(info_topic(topic), true);
-      cameras_[sensor.options().frame] = sensor.options();
+      advertise<sensor_msgs::CameraInfo>(RobotMessages::info_topic(topic), true);
     }
   };
   for (const AnySensor& sensor : sensors) std::visit(advertise_sensor, sensor);
@@ -79,41 +61,10 @@ void Publishers::advertise(const std::string& topic, bool latch) {
   }
 }
 
-template <class Payload>
-void Publishers::publish(const std_msgs::Header& header, const Event& event, const Payload& z) {
-  by_topic_.at(event.topic).publish(message(header, z));
-}
-
-void Publishers::publish(const std_msgs::Header& header, const Event& event,
-                         const Event::Odometry& z) {
-  nav_msgs::Odometry odometry = message(header, z);
-  odometry.header.frame_id = options_.frame_prefix + options_.odom_frame;
-  odometry.child_frame_id = options_.frame_prefix + options_.base_frame;
-  by_topic_.at(event.topic).publish(odometry);
-  tf2_msgs::TFMessage tf;
-  tf.transforms = {transform_of(odometry.header, odometry.child_frame_id, z.T_odom_base)};
-  by_topic_.at("/tf").publish(tf);
-}
-
-void Publishers::publish(const std_msgs::Header& header, const Event& event,
-                         const Event::Truth& z) {
-  nav_msgs::Odometry truth = message(header, z);
-  truth.header.frame_id = options_.map_frame;
-  truth.child_frame_id = options_.frame_prefix + options_.base_frame;
-  by_topic_.at(event.topic).publish(truth);
-}
-
-void Publishers::publish(const std_msgs::Header& header, const Event& event,
-                         const ImageFeatures& z) {
-  by_topic_.at(info_topic(event.topic)).publish(camera_info(header, cameras_.at(event.frame)));
-  by_topic_.at(event.topic).publish(message(header, z));
-}
-
 void Publishers::publish(const Event& event) {
-  std_msgs::Header header;
-  header.stamp = ros_convert::time(event.stamp);
-  header.frame_id = options_.frame_prefix + event.frame;
-  std::visit([&](const auto& z) { publish(header, event, z); }, event.payload);
+  messages_.for_each(event, [this](const std::string& topic, const auto& message) {
+    by_topic_.at(topic).publish(message);
+  });
 }
 
 void Publishers::publish_clock(Time now) {
@@ -145,17 +96,7 @@ void Publishers::publish_path_finished(bool finished) {
 }
 
 void Publishers::publish_mounts(Time now, const std::vector<AnySensor>& sensors) {
-  std_msgs::Header header;
-  header.stamp = ros_convert::time(now);
-  header.frame_id = options_.frame_prefix + options_.base_frame;
-  tf2_msgs::TFMessage tf;
-  for (const AnySensor& sensor : sensors) {
-    for (const Mount& mount : mounts(sensor)) {
-      tf.transforms.push_back(
-          transform_of(header, options_.frame_prefix + mount.frame, mount.T_base_frame));
-    }
-  }
-  by_topic_.at("/tf_static").publish(tf);
+  by_topic_.at("/tf_static").publish(messages_.mounts_at(now, sensors));
 }
 
 std::string Publishers::unheard(const std::vector<std::string>& topics) const {

@@ -3,7 +3,6 @@
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
-#include <std_msgs/Header.h>
 
 #include <map>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "portolan/sim/any_sensor.hpp"
 #include "portolan/sim/truth_grid.hpp"
+#include "robot_messages.hpp"
 #include "robot_sim_options.hpp"
 
 namespace portolan::sim {
@@ -21,7 +21,7 @@ class Publishers {
   Publishers(const ros::NodeHandle& handle, const RobotSimOptions& options,
              const std::vector<AnySensor>& sensors);
 
-  /// Publishes an event on its topic; odometry on /tf as well, features with their camera.
+  /// Publishes all messages that the event makes.
   void publish(const Event& event);
   void publish_clock(Time now);
   void publish_path_finished(bool finished);
@@ -38,16 +38,11 @@ class Publishers {
  private:
   template <class Message>
   void advertise(const std::string& topic, bool latch = false);
-  void publish(const std_msgs::Header& header, const Event& event, const Event::Odometry& z);
-  void publish(const std_msgs::Header& header, const Event& event, const Event::Truth& z);
-  void publish(const std_msgs::Header& header, const Event& event, const ImageFeatures& z);
-  template <class Payload>
-  void publish(const std_msgs::Header& header, const Event& event, const Payload& z);
 
   ros::NodeHandle handle_;
   RobotSimOptions options_;
+  RobotMessages messages_;
   std::map<std::string, ros::Publisher> by_topic_;
-  std::map<std::string, Camera::Options> cameras_;  // by frame
 };
 
 }  // namespace portolan::sim

@@ -47,11 +47,15 @@ AnyBagMapper any_bag_graph(const YAML::Node& config) {
           [graph] { return graph->correction(); }};
 }
 
+// A file that says how a simulated robot is built may say how it maps, too.
+constexpr const char* kSimulator = "robot_sim";
+
 void check_sections(const YAML::Node& config, const std::vector<AnyBagMapper>& mappers) {
   for (const auto& section : config) {
     const std::string name = section.first.Scalar();
-    const bool known = std::any_of(mappers.begin(), mappers.end(),
-                                   [&](const AnyBagMapper& m) { return m.name == name; });
+    const bool known =
+        name == kSimulator || std::any_of(mappers.begin(), mappers.end(),
+                                          [&](const AnyBagMapper& m) { return m.name == name; });
     if (!known) throw OptionsError({name + " is the name of no mapper"});
   }
 }
