@@ -11,7 +11,7 @@ from portolan_msgs.srv import AddArc, ListArcs, SetArcs
 from tf2_msgs.msg import TFMessage
 
 from portolan_testing import case
-from portolan_testing.room import Room, level, upright
+from portolan_testing.block import block, occupied_places, off_the_walls
 from portolan_testing.waiting import eventually
 
 ACCEPTED, REJECTED = 0, 1
@@ -19,15 +19,6 @@ SIDE = 10.0     # of the square that the robot drives [m]
 STEP = 0.25     # [m] between scans
 DRIFT = 0.0015  # [rad] in each step
 SURE = [1e4 if i % 7 == 0 else 0.0 for i in range(36)]
-
-
-def block():
-    """Corridors of 2 m round a block, each with niches of its own."""
-    h = 4.05
-    walls = [upright(h, -h, h), upright(-h, -h, h), level(h, -h, h), level(-h, -h, h)]
-    walls += [level(-5.55, -3.0, -1.0), upright(5.55, 0.5, 2.0), level(5.45, 1.0, 1.9), upright(-5.35, -2.0, -0.4)]
-    walls += [upright(-3.0, -6.05, -5.55), upright(2.0, 5.45, 6.05), level(3.0, 4.05, 4.45), level(-3.0, -4.5, -4.05)]
-    return Room(half_side=6.05, panels=walls)
 
 
 def on_the_round(way):
@@ -52,14 +43,7 @@ def between(a, b):
 
 def thickness(grid, room):
     """Mean distance of occupied cells from the nearest wall [m]."""
-    def distance(x, y, segment):
-        (ax, ay), (bx, by), _ = segment
-        length = math.hypot(bx - ax, by - ay)
-        along = max(0.0, min(length, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length))
-        return math.hypot(x - ax - along * (bx - ax) / length, y - ay - along * (by - ay) / length)
-    side = grid.resolution
-    centers = [((c + 0.5) * side, (r + 0.5) * side) for c, r, percent in grid.known() if percent > 65]
-    return sum(min(distance(x, y, s) for s in room.segments) for x, y in centers) / max(1, len(centers))
+    return off_the_walls(occupied_places(grid), room)
 
 
 class PoseGraphBends(case.NodeCase):

@@ -106,6 +106,7 @@ void MapperNode<Kind>::subscribe_to_input(
 
 template <class Kind>
 void MapperNode<Kind>::correct(const portolan_msgs::DriftCorrection& message) {
+  pipeline_.poll(now());  // a graph that saw the clock run back speaks of the new time
   try {
     pipeline_.remapper().correct(
         ros_convert::correction(message, options_.pipeline.posing.odom_frame));

@@ -5,6 +5,7 @@
 
 #include "portolan_ros/bag/tally_summary.hpp"
 #include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/convert/correction.hpp"
 #include "portolan_ros/graph/graph_keeper.hpp"
 #include "portolan_ros/graph/graph_picture.hpp"
 
@@ -30,6 +31,13 @@ std::set<std::string> BagGraph::input_topics() const {
 
 void BagGraph::finish() {
   pipeline_.poll(topics_.newest() + seconds(options_.posing.tf_wait + 1.0));
+}
+
+Correction BagGraph::correction() const {
+  const std::string& odom_frame = options_.posing.odom_frame;
+  return ros_convert::correction(
+      ros_convert::correction(pipeline_.graph().correction(), options_.map_frame, odom_frame),
+      odom_frame);
 }
 
 FileSet BagGraph::files() const {

@@ -31,7 +31,7 @@ GraphOutputs::GraphOutputs(ros::NodeHandle& handle, const GraphNodeOptions& opti
 void GraphOutputs::publish(const ros::Time& stamp) {
   const Correction correction = source_.graph().correction();
   const Version version{source_.restarts(), source_.graph().generation()};
-  if (version != sent_version_ || drift_changed(correction)) {
+  if (version != sent_version_ || drift_changed(correction) || is_settled(correction)) {
     portolan_msgs::DriftCorrection message =
         ros_convert::correction(correction, options_.map_frame, options_.posing.odom_frame);
     message.header.stamp = stamp;
@@ -40,14 +40,18 @@ void GraphOutputs::publish(const ros::Time& stamp) {
     sent_version_ = version;
   }
   const std::size_t arcs = source_.graph().graph().arcs().size();
-  if (version == shown_version_ && arcs == shown_arcs_) return;
-  publish_visuals(stamp);
+  const std::uint32_t listeners =
+      path_.getNumSubscribers() + graph_.getNumSubscribers() + markers_.getNumSubscribers();
+  const bool is_shown = version == shown_version_ && arcs == shown_arcs_;
+  if (!is_shown || listeners > listeners_) publish_visuals(stamp);
+  listeners_ = listeners;
   shown_version_ = version;
   shown_arcs_ = arcs;
 }
 
 void GraphOutputs::publish_tf(const ros::Time& stamp) {
-  if (!tf_ || stamp.isZero()) return;
+  if (!tf_ || stamp.isZero() || stamp == sent_tf_) return;
+  sent_tf_ = stamp;
   tf2_msgs::TFMessage message;
   message.transforms.resize(1);
   message.transforms[0].header.stamp = stamp;
@@ -61,6 +65,18 @@ bool GraphOutputs::drift_changed(const Correction& correction) const {
   const Pose change = last_of(sent_).inverse() * last_of(correction);
   return change.translation().norm() > options_.output.min_shift ||
          rotation_angle(change) > options_.output.min_turn;
+}
+
+// The robot stands still, or its bag has ended: what was too little to be sent so far comes now, so
+// that in the end all maps are those of the whole graph.
+bool GraphOutputs::is_settled(const Correction& correction) {
+  const ros::WallTime now = ros::WallTime::now();
+  if (correction.knots().size() != keyframes_) {
+    keyframes_ = correction.knots().size();
+    since_ = now;
+  }
+  const bool is_quiet = (now - since_).toSec() >= options_.output.settle_after;
+  return is_quiet && sent_.knots().size() != keyframes_;
 }
 
 void GraphOutputs::publish_visuals(const ros::Time& stamp) {

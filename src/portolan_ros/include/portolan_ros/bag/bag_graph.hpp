@@ -28,8 +28,8 @@ class BagGraph {
   /// No more messages come: what still waits for tf is used or dropped.
   void finish();
 
-  /// What all maps are to be bent by.
-  Correction correction() const { return pipeline_.graph().correction(); }
+  /// What all maps are to be bent by, to the last bit as it comes out of a message.
+  Correction correction() const;
 
   /// The graph's files and picture, and the corrected trajectory; counts, wall time and options.
   FileSet files() const;

@@ -14,6 +14,7 @@ struct GraphOutputOptions {
   bool publish_tf = true;
   double min_shift = 0.05;
   double min_turn = 0.01;
+  double settle_after = 2.0;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -22,6 +23,9 @@ struct GraphOutputOptions {
           "without a loop, a correction is sent once the drift has changed so far [m]",
           at_least(0.0));
     visit("min_turn", self.min_turn, "or turned so far [rad]", at_least(0.0));
+    visit("settle_after", self.settle_after,
+          "or once no keyframe has come for so long in real time, whatever has changed [s]",
+          at_least(0.0));
   }
 };
 

@@ -3,8 +3,10 @@
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/time.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "portolan_ros/graph/graph_pipeline.hpp"
@@ -21,13 +23,15 @@ class GraphOutputs {
   /// Sends what changed since the last time.
   void publish(const ros::Time& stamp);
 
-  /// Where the map is now, to be sent often: others look it up at the time that it is.
+  /// Where the map is now, to be sent often: others look it up at the time that it is. While the
+  /// clock stands still nothing is sent, since tf knows one transform for each stamp.
   void publish_tf(const ros::Time& stamp);
 
  private:
   using Version = std::pair<std::size_t, std::size_t>;  // restarts, generation
 
   bool drift_changed(const Correction& correction) const;
+  bool is_settled(const Correction& correction);
   void publish_visuals(const ros::Time& stamp);
 
   GraphNodeOptions options_;
@@ -39,8 +43,12 @@ class GraphOutputs {
   ros::Publisher markers_;
   Correction sent_;
   Version sent_version_{0, 0};
+  ros::Time sent_tf_;
+  std::size_t keyframes_ = 0;
+  ros::WallTime since_;  // when the last of these came
   Version shown_version_{0, 0};
   std::size_t shown_arcs_ = 0;
+  std::uint32_t listeners_ = 0;
 };
 
 }  // namespace portolan
