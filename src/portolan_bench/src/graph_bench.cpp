@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
+#include <exception>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -60,8 +63,15 @@ void optimize_graph(benchmark::State& state, const Graph& given) {
   state.counters["doubts"] = static_cast<double>(report.doubts.size());
 }
 
+std::vector<GraphWorkload> workloads_or_exit() try {
+  return graph_workloads();
+} catch (const std::exception& error) {
+  std::cerr << "PORTOLAN_POSE_GRAPHS: " << error.what() << std::endl;
+  std::exit(EXIT_FAILURE);
+}
+
 const bool kGraphsRegistered = [] {
-  for (const GraphWorkload& load : graph_workloads()) {
+  for (const GraphWorkload& load : workloads_or_exit()) {
     benchmark::RegisterBenchmark(
         ("graph/" + load.name).c_str(),
         [graph = load.graph](benchmark::State& state) { optimize_graph(state, graph); })

@@ -4,11 +4,10 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "portolan/graph/g2o_file.hpp"
@@ -118,9 +117,9 @@ std::vector<GraphWorkload> graph_workloads() {
   const char* files = std::getenv("PORTOLAN_POSE_GRAPHS");
   std::istringstream paths(files == nullptr ? "" : files);
   for (std::string path; std::getline(paths, path, ':');) {
-    std::ifstream file(path);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    all.push_back({std::filesystem::path(path).stem().string(), graph_from_g2o(text)});
+    Graph graph = load_graph(path);
+    if (graph.poses().empty()) throw std::runtime_error(path + ": holds no poses");
+    all.push_back({std::filesystem::path(path).stem().string(), std::move(graph)});
   }
   return all;
 }

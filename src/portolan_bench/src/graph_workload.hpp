@@ -15,7 +15,8 @@ struct GraphWorkload {
 };
 
 /// Streets at right angles and a sphere, of the sizes that the literature likes, and the g2o files
-/// that PORTOLAN_POSE_GRAPHS names, separated by colons.
+/// that PORTOLAN_POSE_GRAPHS names, separated by colons. Throws std::runtime_error, with the path,
+/// for a file that cannot be read or holds no graph.
 std::vector<GraphWorkload> graph_workloads();
 
 }  // namespace portolan::bench
