@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace portolan {
@@ -11,25 +12,42 @@ namespace {
 
 constexpr std::size_t kVoxels = BlockKey::kVoxels;
 
-/// All ones where `bit` is set in `bits`.
-std::int32_t lane_mask(std::uint32_t bits, std::uint32_t bit) {
-  return -static_cast<std::int32_t>((bits & bit) != 0);
+using Floats = float __attribute__((vector_size(16)));
+using Ints = std::int32_t __attribute__((vector_size(16)));
+
+/// `value` where the bit is set, else 0.
+Floats masked(float value, Ints bits, std::int32_t mask) {
+  const Ints is_set = (bits & mask) == bits;
+  Floats all = Floats{} + value;
+  Ints kept;
+  std::memcpy(&kept, &all, sizeof(kept));
+  kept &= is_set;
+  std::memcpy(&all, &kept, sizeof(all));
+  return all;
 }
 
-float masked(float value, std::int32_t mask) { return mask != 0 ? value : 0.0F; }
+/// Four neighbouring voxels at once, of these bits: log-odds add up and are clamped; what already
+/// lies beyond the bound that it moves towards stays, as in octomap::OcTree::updateNode.
+void update_four(float* voxels, Ints bits, std::int32_t hits, std::int32_t misses,
+                 const LogOddsModel& model) {
+  const Floats max = Floats{} + model.max;
+  const Floats min = Floats{} + model.min;
+  const Floats update = masked(model.hit, bits, hits) + masked(model.miss, bits, misses);
+  Floats old;
+  std::memcpy(&old, voxels, sizeof(old));
+  const Floats sum = old + update;
+  const Floats old_above = max < old ? old : max;
+  const Floats old_below = old < min ? old : min;
+  const Floats high = update >= 0.0F ? old_above : max;
+  const Floats low = update <= 0.0F ? old_below : min;
+  const Floats raised = sum < low ? low : sum;
+  const Floats clamped = high < raised ? high : raised;
+  std::memcpy(voxels, &clamped, sizeof(clamped));
+}
 
-/// Eight neighbouring voxels at once: log-odds add up and are clamped; what already lies beyond
-/// the bound that it moves towards stays, as in octomap::OcTree::updateNode.
-void update_row(float* row, std::uint32_t hits, std::uint32_t misses, const LogOddsModel& model) {
-  for (std::uint32_t i = 0; i < kVoxels; ++i) {
-    const float update = masked(model.hit, lane_mask(hits, 1U << i)) +
-                         masked(model.miss, lane_mask(misses, 1U << i));
-    const float old = row[i];
-    const float sum = old + update;
-    const float high = update >= 0.0F ? std::max(old, model.max) : model.max;
-    const float low = update <= 0.0F ? std::min(old, model.min) : model.min;
-    row[i] = std::min(std::max(sum, low), high);
-  }
+void update_row(float* row, std::int32_t hits, std::int32_t misses, const LogOddsModel& model) {
+  update_four(row, Ints{1, 2, 4, 8}, hits, misses, model);
+  update_four(row + 4, Ints{16, 32, 64, 128}, hits, misses, model);
 }
 
 void update(VoxelBlock& block, const VoxelMask& crossed, const VoxelMask& ends,
@@ -40,11 +58,21 @@ void update(VoxelBlock& block, const VoxelMask& crossed, const VoxelMask& ends,
     if ((hits | misses) == 0) continue;
     block.known[z] |= hits | misses;
     for (std::size_t y = 0; y < kVoxels; ++y) {
-      const auto row_hits = static_cast<std::uint32_t>(hits >> (8 * y)) & 0xff;
-      const auto row_misses = static_cast<std::uint32_t>(misses >> (8 * y)) & 0xff;
+      const auto row_hits = static_cast<std::int32_t>(hits >> (8 * y) & 0xff);
+      const auto row_misses = static_cast<std::int32_t>(misses >> (8 * y) & 0xff);
       if ((row_hits | row_misses) == 0) continue;
       update_row(&block.log_odds[64 * z + 8 * y], row_hits, row_misses, model);
     }
+  }
+}
+
+/// Calls visit(start, ray) for each ray of a sweep.
+template <class Visit>
+void for_each_ray(const Sweep& sweep, const VoxelLattice& lattice, Visit visit) {
+  std::optional<RayStart> start;
+  for (const Sweep::Ray& ray : sweep.rays()) {
+    if (!start || !(start->origin() == ray.origin)) start.emplace(lattice, ray.origin);
+    visit(*start, ray);
   }
 }
 
@@ -155,22 +183,18 @@ void OctoMapper::draw(const Sweep& sweep) {
   add(counts_, sweep.counts());
   RayMarks::Box box;
   std::optional<octomap::OcTreeKey> centre;
-  for (const Sweep::Ray& ray : sweep.rays()) {
-    for (const octomap::point3d& p : {ray.end, ray.origin}) {
-      const auto key = lattice_.key(p);
-      if (!key) continue;
-      box.extend(*key);
-      centre = key;
-    }
-  }
+  for_each_ray(sweep, lattice_, [&](const RayStart& start, const Sweep::Ray& ray) {
+    if (ray.key) box.extend(*ray.key);
+    if (start.key()) box.extend(*start.key());
+    centre = start.key() ? start.key() : ray.key ? ray.key : centre;
+  });
   if (!centre) return;
   marks_.start(box, *centre);
-  for (const Sweep::Ray& ray : sweep.rays()) {
-    if (const auto prepared = ray_walk(lattice_, ray.origin, ray.end)) {
-      marks_.mark_crossed(*prepared);
-    }
-    if (ray.hit) marks_.mark_end(*lattice_.key(ray.end));
-  }
+  for_each_ray(sweep, lattice_, [&](const RayStart& start, const Sweep::Ray& ray) {
+    if (!ray.key) return;
+    marks_.mark_crossed(start, ray.end, *ray.key);
+    if (ray.hit) marks_.mark_end(*ray.key);
+  });
   marks_.take([this](BlockKey key, const VoxelMask& crossed, const VoxelMask& ends) {
     update(blocks_.change(key, revision_), crossed, ends, model_);
   });

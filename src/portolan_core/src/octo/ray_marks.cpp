@@ -2,6 +2,7 @@
 #include "portolan/octo/ray_marks.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace portolan {
@@ -10,7 +11,6 @@ namespace {
 
 constexpr int kVoxels = BlockKey::kVoxels;
 constexpr std::size_t kRaysAtOnce = 256;  // few enough to stay in the nearest cache
-constexpr std::int64_t kMaxDenseBits = std::int64_t{1} << 30;
 
 /// The block of a voxel; keys below 0 lie in block -1.
 int block_of(int key) { return (key + kVoxels) / kVoxels - 1; }
@@ -20,10 +20,10 @@ int count_of_blocks(int min_key, int max_key) {
   return block_of(max_key + RayWalk::kOvershoot) - first_block(min_key) + 1;
 }
 
-std::int64_t count_of_bits(const RayMarks::Box& box) {
-  std::int64_t bits = 512;
-  for (int i = 0; i < 3; ++i) bits *= count_of_blocks(box.min[i], box.max[i]);
-  return bits;
+std::int64_t count_of_voxels(const RayMarks::Box& box) {
+  std::int64_t voxels = kVoxels * kVoxels * kVoxels;
+  for (int i = 0; i < 3; ++i) voxels *= count_of_blocks(box.min[i], box.max[i]);
+  return voxels;
 }
 
 /// The part of the box within `reach` voxels of its centre.
@@ -37,17 +37,6 @@ RayMarks::Box clipped(const RayMarks::Box& box, const octomap::OcTreeKey& centre
   return part;
 }
 
-/// Table from a voxel's place on one axis of the volume to its share of the bit's address.
-void fill_bits(std::vector<std::uint32_t>& bits, int blocks, std::int64_t block_stride,
-               std::int64_t voxel_stride) {
-  bits.resize(static_cast<std::size_t>(blocks) * kVoxels);
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    const auto place = static_cast<std::int64_t>(i);
-    bits[i] = static_cast<std::uint32_t>(place / kVoxels * block_stride * 512 +
-                                         place % kVoxels * voxel_stride);
-  }
-}
-
 void set_bit(std::uint64_t* words, std::size_t bit) {
   words[bit >> 6] |= std::uint64_t{1} << (bit & 63);
 }
@@ -56,63 +45,76 @@ void set_bit(VoxelMask& mask, std::size_t x, std::size_t y, std::size_t z) {
   mask[z % kVoxels] |= std::uint64_t{1} << (y % kVoxels * kVoxels + x % kVoxels);
 }
 
-}  // namespace
-
-void RayMarks::Box::extend(const octomap::OcTreeKey& key) {
-  for (unsigned i = 0; i < 3; ++i) {
-    min[i] = std::min<int>(min[i], key[i]);
-    max[i] = std::max<int>(max[i], key[i]);
+/// Calls visit(x, y, z) for each voxel of a mask.
+template <class Visit>
+void for_each_voxel(const VoxelMask& mask, Visit visit) {
+  for (std::size_t z = 0; z < mask.size(); ++z) {
+    for (std::uint64_t bits = mask[z]; bits != 0; bits &= bits - 1) {
+      const int i = __builtin_ctzll(bits);
+      visit(i % kVoxels, i / kVoxels, static_cast<int>(z));
+    }
   }
 }
 
-bool RayMarks::Box::contains(int x, int y, int z) const {
-  return x >= min[0] && x <= max[0] && y >= min[1] && y <= max[1] && z >= min[2] && z <= max[2];
+/// Eight bytes that are 0 or 1 as eight bits.
+std::uint64_t gathered(std::uint64_t bytes) { return (bytes * 0x0102040810204080U) >> 56; }
+
+/// The rows of a block, each a value of type Row, read and set to zero. False where all were zero.
+template <class Row>
+bool take_rows(Row* first, std::size_t row, std::size_t layer, std::array<Row, 64>& rows) {
+  Row any = 0;
+  for (std::size_t z = 0; z < 8; ++z) {
+    for (std::size_t y = 0; y < 8; ++y) any |= rows[8 * z + y] = first[z * layer + y * row];
+  }
+  if (any == 0) return false;
+  for (std::size_t z = 0; z < 8; ++z) {
+    for (std::size_t y = 0; y < 8; ++y) first[z * layer + y * row] = 0;
+  }
+  return true;
 }
+
+}  // namespace
 
 void RayMarks::start(const Box& box, const octomap::OcTreeKey& centre) {
   int reach = VoxelLattice::kSide;
   Box dense = clipped(box, centre, reach);
-  while (count_of_bits(dense) > kMaxDenseBits) {
+  while (count_of_voxels(dense) > limits_.max_voxels) {
     reach -= reach / 8;
     dense = clipped(box, centre, reach);
   }
   lay_volume(dense);
 }
 
-void RayMarks::mark_crossed(const RayWalk& ray) {
-  const auto stays = [this](RayWalk::Cell cell) {
-    return dense_.contains(static_cast<int>(RayWalk::x(cell)), static_cast<int>(RayWalk::y(cell)),
-                           static_cast<int>(RayWalk::z(cell)));
-  };
-  std::vector<RayWalk>& waiting = stays(ray.start) && stays(ray.end) ? near_ : far_;
-  waiting.push_back(ray);
+void RayMarks::mark_crossed(const RayStart& start, const octomap::point3d& end,
+                            const octomap::OcTreeKey& key_end) {
+  const bool is_near = start.key() && is_in_volume(*start.key()) && is_in_volume(key_end);
+  const auto ray = start.walk_to(end, key_end, is_near ? axes_ : RayWalk::Axes());
+  if (!ray) return;
+  std::vector<RayWalk>& waiting = is_near ? near_ : far_;
+  waiting.push_back(*ray);
   if (waiting.size() == kRaysAtOnce) walk_waiting();
 }
 
 void RayMarks::walk_waiting() {
-  const std::uint32_t* x = bit_of_x_.data();
-  const std::uint32_t* y = bit_of_y_.data();
-  const std::uint32_t* z = bit_of_z_.data();
-  walk(near_, RayWalk::cell(kVoxels * corner_.x, kVoxels * corner_.y, kVoxels * corner_.z),
-       [x, y, z, words = crossed_.data()](RayWalk::Cell cell) {
-         set_bit(words, x[RayWalk::x(cell)] + y[RayWalk::y(cell)] + z[RayWalk::z(cell)]);
-       });
+  if (has_bytes_) {
+    auto* bytes = reinterpret_cast<std::uint8_t*>(marks_.data());
+    walk(near_, first_, [bytes](RayWalk::Cell place) { bytes[place] = 1; });
+  } else {
+    walk(near_, first_, [words = marks_.data()](RayWalk::Cell place) { set_bit(words, place); });
+  }
   near_.clear();
-  walk(far_, RayWalk::cell(-kVoxels, -kVoxels, -kVoxels),
+  walk(far_, RayWalk::Axes().cell(-kVoxels, -kVoxels, -kVoxels),
        [this](RayWalk::Cell cell) { mark_crossed_sparse(cell); });
   far_.clear();
 }
 
 void RayMarks::mark_end(const octomap::OcTreeKey& key) {
-  if (!dense_.contains(key[0], key[1], key[2])) {
-    const BlockKey block = block_key(key[0] / kVoxels, key[1] / kVoxels, key[2] / kVoxels);
-    return set_bit(sparse_[packed(block)].ends, key[0], key[1], key[2]);
-  }
-  const auto place = [](int k, int corner) {
-    return static_cast<std::size_t>(k - kVoxels * corner);
-  };
-  set_bit(ends_.data(), bit_of_x_[place(key[0], corner_.x)] + bit_of_y_[place(key[1], corner_.y)] +
-                            bit_of_z_[place(key[2], corner_.z)]);
+  const BlockKey block = portolan::block_of(key);
+  VoxelMask& ends =
+      is_in_volume(key)
+          ? ends_[index({block.x - corner_.x, block.y - corner_.y, block.z - corner_.z})]
+          : sparse_[packed(block)].ends;
+  set_bit(ends, key[0], key[1], key[2]);
 }
 
 std::uint64_t RayMarks::packed(BlockKey key) {
@@ -130,14 +132,15 @@ void RayMarks::lay_volume(const Box& dense) {
   sides_ = {count_of_blocks(dense.min[0], dense.max[0]),
             count_of_blocks(dense.min[1], dense.max[1]),
             count_of_blocks(dense.min[2], dense.max[2])};
-  fill_bits(bit_of_x_, sides_.x, 1, 1);
-  fill_bits(bit_of_y_, sides_.y, sides_.x, kVoxels);
-  fill_bits(bit_of_z_, sides_.z, std::int64_t{sides_.x} * sides_.y, kVoxels * kVoxels);
-  const auto words = static_cast<std::size_t>(count_of_bits(dense) / 64);
-  if (crossed_.size() < words) {
-    crossed_.resize(words);
-    ends_.resize(words);
-  }
+  axes_.y = static_cast<RayWalk::Cell>(kVoxels) * static_cast<RayWalk::Cell>(sides_.x);
+  axes_.z = axes_.y * static_cast<RayWalk::Cell>(kVoxels * sides_.y);
+  first_ = axes_.cell(kVoxels * corner_.x, kVoxels * corner_.y, kVoxels * corner_.z);
+  const std::int64_t voxels = count_of_voxels(dense);
+  has_bytes_ = voxels <= limits_.byte_voxels;
+  const auto words = static_cast<std::size_t>(voxels / (has_bytes_ ? 8 : 64));
+  if (marks_.size() < words) marks_.resize(words);
+  const auto blocks = static_cast<std::size_t>(voxels / (kVoxels * kVoxels * kVoxels));
+  if (ends_.size() < blocks) ends_.resize(blocks);
 }
 
 void RayMarks::mark_crossed_sparse(RayWalk::Cell cell) {
@@ -152,7 +155,9 @@ void RayMarks::mark_crossed_sparse(RayWalk::Cell cell) {
   set_bit(sparse_[packed(block_key(block(x), block(y), block(z)))].crossed, x, y, z);
 }
 
+/// Moves what lies in the volume there, which far rays cross as well.
 void RayMarks::merge_sparse() {
+  auto* bytes = reinterpret_cast<std::uint8_t*>(marks_.data());
   for (auto entry = sparse_.begin(); entry != sparse_.end();) {
     const BlockKey key = unpacked(entry->first);
     const Blocks at{key.x - corner_.x, key.y - corner_.y, key.z - corner_.z};
@@ -162,23 +167,37 @@ void RayMarks::merge_sparse() {
       ++entry;
       continue;
     }
-    const auto word = static_cast<std::size_t>(
-        kVoxels * (at.x + std::int64_t{sides_.x} * (at.y + std::int64_t{sides_.y} * at.z)));
-    for (std::size_t i = 0; i < kVoxels; ++i) {
-      crossed_[word + i] |= entry->second.crossed[i];
-      ends_[word + i] |= entry->second.ends[i];
-    }
+    for_each_voxel(entry->second.crossed, [&](int x, int y, int z) {
+      const RayWalk::Cell place = first_of(at) + axes_.cell(x, y, z);
+      if (has_bytes_) {
+        bytes[place] = 1;
+      } else {
+        set_bit(marks_.data(), place);
+      }
+    });
+    VoxelMask& ends = ends_[index(at)];
+    for (std::size_t i = 0; i < ends.size(); ++i) ends[i] |= entry->second.ends[i];
     entry = sparse_.erase(entry);
   }
 }
 
-bool RayMarks::take_dense(std::size_t word, Marks& marks) {
+/// Reads the marks of a block and forgets them; false where there are none.
+bool RayMarks::take_block(const Blocks& at, Marks& marks) {
+  marks.ends = std::exchange(ends_[index(at)], {});
   std::uint64_t any = 0;
-  for (std::size_t i = 0; i < kVoxels; ++i) any |= crossed_[word + i] | ends_[word + i];
-  if (any == 0) return false;
-  for (std::size_t i = 0; i < kVoxels; ++i) {
-    marks.crossed[i] = std::exchange(crossed_[word + i], 0);
-    marks.ends[i] = std::exchange(ends_[word + i], 0);
+  for (const std::uint64_t word : marks.ends) any |= word;
+  const RayWalk::Cell first = first_of(at);
+  if (has_bytes_) {
+    std::array<std::uint64_t, 64> rows;
+    if (!take_rows(marks_.data() + first / 8, axes_.y / 8, axes_.z / 8, rows)) return any != 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      marks.crossed[i / 8] |= gathered(rows[i]) << (i % 8 * 8);
+    }
+  } else {
+    std::array<std::uint8_t, 64> rows;
+    auto* bytes = reinterpret_cast<std::uint8_t*>(marks_.data());
+    if (!take_rows(bytes + first / 8, axes_.y / 8, axes_.z / 8, rows)) return any != 0;
+    std::memcpy(marks.crossed.data(), rows.data(), sizeof(rows));
   }
   return true;
 }

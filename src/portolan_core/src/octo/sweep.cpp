@@ -14,8 +14,17 @@ bool is_finite(const point3d& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
+point3d transformed(const Pose& T_map_sensor, const Eigen::Vector3f& p_sensor) {
+  const auto& T = T_map_sensor.matrix();
+  const Eigen::Vector3d p = p_sensor.cast<double>();
+  const auto row = [&](int i) {
+    return static_cast<float>(T(i, 0) * p.x() + T(i, 1) * p.y() + T(i, 2) * p.z() + T(i, 3));
+  };
+  return {row(0), row(1), row(2)};
+}
+
 point3d origin_of(const Pose& T_map_sensor) {
-  return to_map(T_map_sensor, Eigen::Vector3f::Zero());
+  return transformed(T_map_sensor, Eigen::Vector3f::Zero());
 }
 
 std::uint64_t packed(const octomap::OcTreeKey& key) {
@@ -45,12 +54,7 @@ std::vector<point3d> discretized(const std::vector<point3d>& points, const Voxel
 }  // namespace
 
 point3d to_map(const Pose& T_map_sensor, const Eigen::Vector3f& p_sensor) {
-  const auto& T = T_map_sensor.matrix();
-  const Eigen::Vector3d p = p_sensor.cast<double>();
-  const auto row = [&](int i) {
-    return static_cast<float>(T(i, 0) * p.x() + T(i, 1) * p.y() + T(i, 2) * p.z() + T(i, 3));
-  };
-  return {row(0), row(1), row(2)};
+  return transformed(T_map_sensor, p_sensor);
 }
 
 void Sweep::add(const PointCloud& cloud, const Pose& T_map_sensor) {
@@ -78,21 +82,7 @@ void Sweep::add(const RangeScan& scan, const Pose& T_map_sensor) {
   }
 }
 
-void Sweep::add_points(const std::vector<Eigen::Vector3f>& points, const Pose& T_map_sensor,
-                       Kind kind) {
-  const point3d origin = origin_of(T_map_sensor);
-  rays_.reserve(rays_.size() + points.size());
-  if (!discretize_) {
-    for (const Eigen::Vector3f& p : points) add_point(origin, to_map(T_map_sensor, p), kind);
-    return;
-  }
-  std::vector<point3d> in_map;
-  in_map.reserve(points.size());
-  for (const Eigen::Vector3f& p : points) in_map.push_back(to_map(T_map_sensor, p));
-  for (const point3d& p : discretized(in_map, lattice_)) add_point(origin, p, kind);
-}
-
-void Sweep::add_point(const point3d& origin, const point3d& p_map, Kind kind) {
+inline void Sweep::add_point(const point3d& origin, const point3d& p_map, Kind kind) {
   if (!is_finite(p_map)) {
     ++counts_.not_finite;
     return;
@@ -102,14 +92,25 @@ void Sweep::add_point(const point3d& origin, const point3d& p_map, Kind kind) {
     ++counts_.too_near;
   } else if (model_.max_range >= 0.0 && !(distance <= model_.max_range)) {
     const point3d direction = (p_map - origin).normalized();
-    rays_.push_back({origin, origin + direction * static_cast<float>(model_.max_range), false});
+    add_free(origin, origin + direction * static_cast<float>(model_.max_range));
     ++counts_.beyond_range;
-  } else if (!lattice_.key(p_map)) {
+  } else if (const auto key = lattice_.key(p_map); !key) {
     ++counts_.outside_octree;
   } else {
-    rays_.push_back({origin, p_map, kind == Kind::obstacle});
+    rays_.push_back({origin, p_map, kind == Kind::obstacle, key});
     ++(kind == Kind::obstacle ? counts_.hits : counts_.ground);
   }
+}
+
+void Sweep::add_points(const std::vector<Eigen::Vector3f>& points, const Pose& T_map_sensor,
+                       Kind kind) {
+  const point3d origin = origin_of(T_map_sensor);
+  rays_.reserve(rays_.size() + points.size());
+  std::vector<point3d> in_map;
+  in_map.reserve(points.size());
+  for (const Eigen::Vector3f& p : points) in_map.push_back(transformed(T_map_sensor, p));
+  if (discretize_) in_map = discretized(in_map, lattice_);
+  for (const point3d& p : in_map) add_point(origin, p, kind);
 }
 
 void Sweep::add_no_return(const Pose& T_map_sensor, const Eigen::Vector3f& direction,
@@ -120,8 +121,7 @@ void Sweep::add_no_return(const Pose& T_map_sensor, const Eigen::Vector3f& direc
   }
   const point3d origin = origin_of(T_map_sensor);
   const Pose rotation(T_map_sensor.linear());
-  rays_.push_back(
-      {origin, origin + to_map(rotation, direction) * static_cast<float>(reach), false});
+  add_free(origin, origin + transformed(rotation, direction) * static_cast<float>(reach));
   ++counts_.no_returns;
 }
 
@@ -130,7 +130,7 @@ void Sweep::add_beam(const RangeScan& scan, double angle, double range, const Po
   switch (range_reading(range, scan.range_min, scan.range_max)) {
     case RangeReading::hit: {
       const Eigen::Vector3f p_sensor = (range * direction).cast<float>();
-      return add_point(origin_of(T_map_beam), to_map(T_map_beam, p_sensor), Kind::obstacle);
+      return add_point(origin_of(T_map_beam), transformed(T_map_beam, p_sensor), Kind::obstacle);
     }
     case RangeReading::nothing_returned:
       return add_no_return(T_map_beam, direction.cast<float>(),

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "octo/octo_fixture.hpp"
+#include "portolan/octo/ray_start.hpp"
 #include "portolan/octo/walk_rays.hpp"
 
 namespace portolan::octo_test {
@@ -24,8 +26,15 @@ Cells expected(const octomap::OcTree& tree, const octomap::point3d& origin,
       tree.coordToKeyChecked(origin, key_origin) && tree.coordToKeyChecked(end, key_end);
   if (!inside) return cells;
   tree.computeRayKeys(origin, end, ray);
-  for (const auto& key : ray) cells.push_back(RayWalk::cell(key[0], key[1], key[2]));
+  for (const auto& key : ray) cells.push_back(RayWalk::Axes().cell(key));
   return cells;
+}
+
+std::optional<RayWalk> ray_walk(const VoxelLattice& lattice, const octomap::point3d& origin,
+                                const octomap::point3d& end) {
+  const auto key_end = lattice.key(end);
+  if (!key_end) return std::nullopt;
+  return RayStart(lattice, origin).walk_to(end, *key_end, RayWalk::Axes());
 }
 
 Cells walked(const VoxelLattice& lattice, const octomap::point3d& origin,
@@ -91,13 +100,17 @@ TEST(RayPair, crosses_the_same_at_the_ends_of_the_octree) {
   }
 }
 
-TEST(RayPair, many_rays_at_once_cross_what_each_crosses_alone) {
+std::set<RayWalk::Cell> as_set(const Cells& cells) { return {cells.begin(), cells.end()}; }
+
+/// Checks a way to walk many rays, of at least so many, against each ray alone.
+template <class WalkAll>
+void expect_the_same_as_alone(std::size_t least, WalkAll walk_all) {
   Random random(3);
   const VoxelLattice lattice(0.1);
-  for (std::size_t count = 0; count < 40; ++count) {
+  for (std::size_t count = least; count < least + 40; ++count) {
     std::vector<RayWalk> rays;
     Cells alone;
-    for (std::size_t i = 0; i < count; ++i) {
+    while (rays.size() < count) {
       const octomap::point3d origin = point(random, 0.1);
       const octomap::point3d end = point(random, 0.1);
       const Cells cells = walked(lattice, origin, end);
@@ -105,10 +118,19 @@ TEST(RayPair, many_rays_at_once_cross_what_each_crosses_alone) {
       if (const auto ray = ray_walk(lattice, origin, end)) rays.push_back(*ray);
     }
     Cells together;
-    walk(rays, 0, [&](RayWalk::Cell cell) { together.push_back(cell); });
-    ASSERT_EQ(std::set<RayWalk::Cell>(together.begin(), together.end()),
-              std::set<RayWalk::Cell>(alone.begin(), alone.end()));
+    walk_all(rays, [&](RayWalk::Cell cell) { together.push_back(cell); });
+    ASSERT_EQ(as_set(together), as_set(alone));
   }
+}
+
+TEST(RayPair, many_rays_at_once_cross_what_each_crosses_alone) {
+  expect_the_same_as_alone(0, [](const auto& rays, auto mark) { walk(rays, 0, mark); });
+  expect_the_same_as_alone(0, [](const auto& rays, auto mark) { walk_by_two(rays, 0, mark); });
+#if defined(PORTOLAN_HAS_RAY_FOUR)
+  using walk_rays_detail::walk_by_eight;
+  if (!walk_rays_detail::kHasAvx2) GTEST_SKIP() << "no AVX2 here";
+  expect_the_same_as_alone(8, [](const auto& rays, auto mark) { walk_by_eight(rays, 0, mark); });
+#endif
 }
 
 TEST(RayPair, comes_to_an_end_where_the_library_would_not) {

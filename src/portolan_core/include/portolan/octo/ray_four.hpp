@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "portolan/octo/ray_walk.hpp"
 
@@ -22,6 +21,8 @@ namespace portolan {
 /// is asked at run time. A lane whose ray is over and has no successor idles where a ray began.
 class RayFour {
  public:
+  static constexpr int kLanes = 4;
+
   /// Puts a ray in a lane; its cells count from the voxel whose cell is `corner`.
   void load(int lane, const RayWalk& ray, RayWalk::Cell corner) {
     const __m256d here = only(lane);
@@ -92,28 +93,6 @@ class RayFour {
   __m256d length_{};
   __m256d cell_{}, end_{};  // bits of a Cell
 };
-
-/// As `walk`, four rays at a time; there are four at least.
-template <class Mark>
-void walk_by_four(const std::vector<RayWalk>& rays, RayWalk::Cell corner, Mark mark) {
-  RayFour four;
-  std::size_t next = 0;
-  for (int lane = 0; lane < 4; ++lane) four.load(lane, rays[next++], corner);
-  four.mark_cells(mark);
-  for (int walking = 4; walking > 0;) {
-    int over = four.step();
-    for (; over != 0; over &= over - 1) {
-      const int lane = __builtin_ctz(static_cast<unsigned>(over));
-      if (next < rays.size()) {
-        four.load(lane, rays[next++], corner);
-      } else {
-        four.idle(lane, rays.front().start - corner);
-        --walking;
-      }
-    }
-    four.mark_cells(mark);
-  }
-}
 
 }  // namespace portolan
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "portolan/observation/point_cloud.hpp"
@@ -23,6 +24,7 @@ class Sweep {
     octomap::point3d origin;  ///< in the map [m]
     octomap::point3d end;     ///< in the map [m]
     bool hit;
+    std::optional<octomap::OcTreeKey> key;  ///< the voxel of its end; none beyond the octree
   };
 
   /// `discretize`: one ray for each voxel with points in it, to its centre.
@@ -41,6 +43,9 @@ class Sweep {
 
   void add_points(const std::vector<Eigen::Vector3f>& points, const Pose& T_map_sensor, Kind kind);
   void add_point(const octomap::point3d& origin, const octomap::point3d& p_map, Kind kind);
+  void add_free(const octomap::point3d& origin, const octomap::point3d& end) {
+    rays_.push_back({origin, end, false, lattice_.key(end)});
+  }
   void add_no_return(const Pose& T_map_sensor, const Eigen::Vector3f& direction, double reach);
   void add_beam(const RangeScan& scan, double angle, double range, const Pose& T_map_beam);
 
