@@ -51,9 +51,10 @@ void toggle_in_strip(const EdgePlane& plane, const Walk& walk, int row, int begi
   const Words bits = ~Words{} << ((x >> kPlaces) & 63);
   const auto first = static_cast<std::uint64_t>(begin - row);
   const auto count = static_cast<std::uint64_t>(end - begin);
-  std::uint64_t* words = plane.words + strip * plane.rows + row;
+  const std::ptrdiff_t word = strip * plane.rows + row;
+  std::uint64_t* words = plane.words + word;
   store(load<Words>(words) ^ (places - first < count ? bits : Words{}), words);
-  plane.marks[strip * plane.bands + (row >> 6)] = 1;
+  plane.marks[word >> 6] = 1;
 }
 
 // An edge that is not flat mostly stays that long within a strip.

@@ -20,6 +20,35 @@ bool goes_round_once(const RangeScan& scan) {
          std::abs(static_cast<double>(scan.ranges.size()) * step - 2.0 * M_PI) < 1e-3 * step;
 }
 
+// What the readings of a scan mean [m].
+struct Limits {
+  double nearest;    // from here on something stands there,
+  double farthest;   // up to here,
+  double usable;     // of use as an echo up to here;
+  double silent;     // from here on nothing returned,
+  double no_return;  // which frees so much
+};
+
+// As `range_reading` says, without a branch: what a range frees, its echo, and the margin beyond.
+void read(const float* __restrict ranges, std::size_t n, const Limits& limits, double margin,
+          double* __restrict free, double* __restrict hit, double* __restrict beyond) {
+  const Limits m = limits;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto range = static_cast<double>(ranges[i]);
+    const double near = range >= m.nearest ? range : 0.0;
+    const double measured = range < m.farthest ? near : 0.0;  // 0: no hit
+    const double echo = measured <= m.usable ? measured : 0.0;
+    const double unseen = range >= m.silent ? m.no_return : 0.0;
+    const double back = measured - margin;
+    const double drawn_back = back > 0.0 ? back : 0.0;
+    const double freed = measured > 0.0 ? drawn_back : unseen;
+    hit[i] = echo;
+    const double behind = echo + margin;
+    beyond[i] = echo > 0.0 ? behind : 0.0;
+    free[i] = freed < m.usable ? freed : m.usable;
+  }
+}
+
 FinePoint operator+(FinePoint a, FinePoint b) { return {a.x + b.x, a.y + b.y}; }
 
 }  // namespace
@@ -70,29 +99,19 @@ void ScanBeams::look_up_ranges(const RangeScan& scan, const GridOptions& options
   const double d = model.margin;
   least_range_ = options.resolution / 32.0;
   same_ = 2.0 * d + options.resolution;
-  const double no_return =
-      model.no_return == NoReturn::clear ? std::min(model.max_range, scan.range_max) : 0.0;
-  const double nearest = std::max(scan.range_min, std::numeric_limits<double>::min());
-  const double farthest = scan.range_min < scan.range_max ? scan.range_max : 0.0;
   const std::size_t n = scan.ranges.size();
   range_.resize(n);
   hit_.resize(n);
   beyond_.resize(n);
-  is_echo_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double range = static_cast<double>(scan.ranges[i]);
-    const bool is_hit = range >= nearest && range < farthest;
-    const bool is_echo = is_hit && range <= model.max_range;
-    is_echo_[i] = is_echo;
-    hit_[i] = is_echo ? range : 0.0;
-    beyond_[i] = is_echo ? range + d : 0.0;
-    double free = std::max(0.0, range - d);
-    if (!is_hit) {
-      const RangeReading reading = range_reading(range, scan.range_min, scan.range_max);
-      free = reading == RangeReading::nothing_returned ? no_return : 0.0;
-    }
-    range_[i] = std::min(free, model.max_range);
-  }
+  const bool measures = scan.range_min < scan.range_max;
+  Limits limits;
+  limits.nearest = std::max(scan.range_min, std::numeric_limits<double>::min());
+  limits.farthest = measures ? scan.range_max : 0.0;
+  limits.silent = measures ? scan.range_max : std::numeric_limits<double>::infinity();
+  limits.usable = model.max_range;
+  limits.no_return =
+      model.no_return == NoReturn::clear ? std::min(model.max_range, scan.range_max) : 0.0;
+  read(scan.ranges.data(), n, limits, d, range_.data(), hit_.data(), beyond_.data());
 }
 
 void ScanBeams::turn_directions() {

@@ -5,6 +5,24 @@
 
 namespace portolan {
 
+namespace {
+
+/// Calls visit(i) for each i below `count`. Neighbours mostly change the same word of a plane, and
+/// one change has to wait for the other; so beams that lie far apart take turns.
+template <class Visit>
+void for_each_apart(std::size_t count, Visit visit) {
+  const std::size_t quarter = count / 4;
+  for (std::size_t i = 0; i < quarter; ++i) {
+    visit(i);
+    visit(i + quarter);
+    visit(i + 2 * quarter);
+    visit(i + 3 * quarter);
+  }
+  for (std::size_t i = 4 * quarter; i < count; ++i) visit(i);
+}
+
+}  // namespace
+
 bool ScanFan::draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options,
                    Footprint& footprint) {
   beams_.place(scan, T_map_sensor, options);
@@ -34,6 +52,7 @@ void ScanFan::make_sectors() {
   const std::size_t n = beams_.size();
   const bool joins = beams_.may_join();
   const bool wraps = joins && beams_.is_round();
+  if (joins && beams_.first_turn() >= n && !(wraps && beams_.is_swept())) return join_all();
   bool joined = wraps && beams_.frees(n - 1);
   for (std::size_t i = 0; i < n; ++i) {
     if (!beams_.frees(i)) {
@@ -49,6 +68,19 @@ void ScanFan::make_sectors() {
     } else {
       add_half(i, 1.0);
     }
+  }
+}
+
+// The same where all neighbours lie in the first turn.
+void ScanFan::join_all() {
+  const std::size_t n = beams_.size();
+  for (std::size_t i = 0; i + 1 < n; ++i) is_rim_[i] = beams_.frees(i) & beams_.frees(i + 1);
+  is_rim_[n - 1] = beams_.is_round() && beams_.frees(n - 1) && beams_.frees(0);
+  std::uint8_t joined = is_rim_[n - 1];
+  for (std::size_t i = 0; i < n; joined = is_rim_[i++]) {
+    if ((joined & is_rim_[i]) != 0 || !beams_.frees(i)) continue;
+    if (joined == 0) add_half(i, -1.0);
+    if (is_rim_[i] == 0) add_half(i, 1.0);
   }
 }
 
@@ -98,25 +130,44 @@ void ScanFan::draw_overlapping(Footprint& footprint) const {
   }
 }
 
-void ScanFan::draw_echoes(Footprint& footprint) const {
+void ScanFan::draw_echoes(Footprint& footprint) {
   draw_rims(footprint);
   if (beams_.has_margin()) draw_strips(footprint);
-  for (std::size_t i = 0; i < beams_.size(); ++i) {
-    if (beams_.hits(i)) footprint.occupy(beams_.echo(i));
-  }
+  const ScanBeams& beams = beams_;
+  for_each_apart(beams.size(), [&beams, pen = footprint.cell_pen()](std::size_t i) {
+    if (beams.hits(i)) pen.set(beams.echo(i));
+  });
 }
 
 // The rims of the sectors, which are those of the strips between echoes, too.
-void ScanFan::draw_rims(Footprint& footprint) const {
-  for (std::size_t i = 0; i < beams_.size(); ++i) {
-    if (is_rim_[i] && is_strip_[i]) {
-      footprint.outline_both(beams_.end(i), beams_.end(next(i)));
-    } else if (is_rim_[i]) {
-      footprint.outline(beams_.end(i), beams_.end(next(i)));
-    } else if (is_strip_[i]) {
-      footprint.outline_occupied(beams_.end(i), beams_.end(next(i)));
-    }
+void ScanFan::draw_rims(Footprint& footprint) {
+  find_crossing(footprint);
+  const Footprint::Pen free = footprint.outline_pen();
+  const Footprint::Pen occupied = footprint.occupied_outline_pen();
+  for_each_apart(crossing_.size(), [this, free, occupied](std::size_t k) {
+    const std::size_t i = crossing_[k];
+    const FinePoint a = beams_.end(i);
+    const FinePoint b = beams_.end(next(i));
+    if (is_rim_[i] != 0) free.toggle(a, b);
+    if (is_strip_[i] != 0) occupied.toggle(a, b);
+  });
+}
+
+// Where beams are dense few of their rims cross the centre of a row, at random: a branch on that
+// would cost more than all the rest.
+void ScanFan::find_crossing(const Footprint& footprint) {
+  const std::size_t n = beams_.size();
+  first_row_.resize(n + 1);
+  for (std::size_t i = 0; i < n; ++i) first_row_[i] = footprint.first_row_above(beams_.end(i).y);
+  first_row_[n] = first_row_[0];
+  crossing_.resize(n);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    crossing_[count] = static_cast<std::uint32_t>(i);
+    const bool is_drawn = (is_rim_[i] | is_strip_[i]) != 0;
+    count += static_cast<std::size_t>(is_drawn & (first_row_[i] != first_row_[i + 1]));
   }
+  crossing_.resize(count);
 }
 
 void ScanFan::draw_strips(Footprint& footprint) const {

@@ -15,7 +15,7 @@ constexpr int kSide = kTiles * TileMap::kSide;
 struct Plane {
   std::vector<std::uint64_t> words = std::vector<std::uint64_t>(kTiles * kSide);
   std::vector<std::uint8_t> marks = std::vector<std::uint8_t>(kTiles * kTiles);
-  EdgePlane edges{words.data(), marks.data(), kSide, kTiles};
+  EdgePlane edges{words.data(), marks.data(), kSide};
 };
 
 TEST(EdgePlane, TogglesEdgesOfAnyLengthRowByRow) {

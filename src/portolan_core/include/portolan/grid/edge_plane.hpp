@@ -13,22 +13,21 @@ namespace portolan {
 /// A footprint's plane of edges, with all at hand that stays the same along an edge.
 struct EdgePlane {
   std::uint64_t* words;
-  std::uint8_t* marks;
-  std::ptrdiff_t rows;
-  std::ptrdiff_t bands;
+  std::uint8_t* marks;  ///< by 64 words: is there something?
+  std::ptrdiff_t rows;  ///< a multiple of 64
 
   /// Counts an edge left of the cell in this column, and so of all right of it in its word.
   void toggle_from(int column, int row) const {
-    const std::ptrdiff_t strip = column >> 6;
-    words[strip * rows + row] ^= ~std::uint64_t{0} << (column & 63);
-    marks[strip * bands + (row >> 6)] = 1;
+    const std::ptrdiff_t word = (column >> 6) * rows + row;
+    words[word] ^= ~std::uint64_t{0} << (column & 63);
+    marks[word >> 6] = 1;
   }
 
   /// Sets the bit of a cell, in a plane that holds no edges but cells.
   void set(int column, int row) const {
-    const std::ptrdiff_t strip = column >> 6;
-    words[strip * rows + row] |= std::uint64_t{1} << (column & 63);
-    marks[strip * bands + (row >> 6)] = 1;
+    const std::ptrdiff_t word = (column >> 6) * rows + row;
+    words[word] |= std::uint64_t{1} << (column & 63);
+    marks[word >> 6] = 1;
   }
 
   /// The same along an edge: in every row whose centre it passes, from the first cell whose centre

@@ -35,6 +35,10 @@ class Footprint {
   /// that is larger than any sensor's reach.
   bool open(Anchor anchor, FinePoint min, FinePoint max);
 
+  /// The first row whose centre lies at this height or above: an edge between two points of the
+  /// same such row crosses none.
+  int first_row_above(std::int32_t y) const { return fine_walk::first_centre(y + shift_.y); }
+
   /// An edge of the outline of the free region. The edges of all closed outlines together decide by
   /// the even-odd rule.
   void outline(FinePoint a, FinePoint b) {
@@ -68,10 +72,24 @@ class Footprint {
   void ray(FinePoint a, FinePoint b);
 
   /// Occupies the cell that holds the point.
-  void occupy(FinePoint p) {
-    p = in_window(p);
-    edges(occupied_, is_occupied_).set(p.x >> kFineLog2, p.y >> kFineLog2);
-  }
+  void occupy(FinePoint p) { cell_pen().set(p); }
+
+  /// Draws into one plane of a footprint, and holds all that takes, so that many strokes need not
+  /// look it up anew. Of use until the footprint is opened again.
+  struct Pen {
+    EdgePlane plane;
+    FinePoint shift;
+
+    FinePoint in_window(FinePoint p) const { return {p.x + shift.x, p.y + shift.y}; }
+    void toggle(FinePoint a, FinePoint b) const { plane.toggle(in_window(a), in_window(b)); }
+    void set(FinePoint p) const {
+      p = in_window(p);
+      plane.set(p.x >> kFineLog2, p.y >> kFineLog2);
+    }
+  };
+  Pen outline_pen() { return {edges(toggled_, is_toggled_), shift_}; }  ///< see `outline`
+  Pen occupied_outline_pen() { return {edges(struck_, is_struck_), shift_}; }
+  Pen cell_pen() { return {edges(occupied_, is_occupied_), shift_}; }  ///< see `occupy`
 
   /// Puts the footprint into a map, whose tiles get this revision; the footprint is empty then.
   /// Returns the cells that it covers at most.
@@ -81,7 +99,7 @@ class Footprint {
   using Word = std::uint64_t;
 
   EdgePlane edges(std::vector<Word>& plane, std::vector<std::uint8_t>& marks) {
-    return {plane.data(), marks.data(), rows_, rows_ >> 6};
+    return {plane.data(), marks.data(), rows_};
   }
 
   FinePoint in_window(FinePoint p) const { return {p.x + shift_.x, p.y + shift_.y}; }

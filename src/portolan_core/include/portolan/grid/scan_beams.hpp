@@ -24,7 +24,7 @@ class ScanBeams {
 
   std::size_t size() const { return range_.size(); }
   bool frees(std::size_t i) const { return range_[i] >= least_range_; }
-  bool hits(std::size_t i) const { return is_echo_[i] != 0; }
+  bool hits(std::size_t i) const { return hit_[i] > 0.0; }
 
   FinePoint origin(std::size_t i) const;                     ///< of the beam
   FinePoint end(std::size_t i) const { return end_.at(i); }  ///< of what it frees
@@ -89,9 +89,8 @@ class ScanBeams {
   FinePoint centre_;
   FineBounds bounds_;
   std::vector<double> range_;  // that is free [m]; 0: says nothing
-  std::vector<double> hit_;    // of the echo [m]
+  std::vector<double> hit_;    // of the echo [m]; 0: none
   std::vector<double> beyond_;
-  std::vector<std::uint8_t> is_echo_;
   std::vector<double> map_x_;  // directions in the map
   std::vector<double> map_y_;
   Points origin_;

@@ -24,13 +24,15 @@ class ScanFan {
     FinePoint b;  // with the centre they are the corners of a sector
   };
   void make_sectors();
+  void join_all();
   void add_overlapping(std::size_t i, std::size_t next);
   void add_half(std::size_t i, double side);
   void join_echoes();
   void draw_rays(Footprint& footprint) const;
   void draw_overlapping(Footprint& footprint) const;
-  void draw_rims(Footprint& footprint) const;
-  void draw_echoes(Footprint& footprint) const;
+  void draw_rims(Footprint& footprint);
+  void find_crossing(const Footprint& footprint);
+  void draw_echoes(Footprint& footprint);
   void draw_strips(Footprint& footprint) const;
   std::size_t next(std::size_t i) const { return i + 1 < beams_.size() ? i + 1 : 0; }
   bool is_in_first_turn(std::size_t i, std::size_t next) const {
@@ -43,6 +45,8 @@ class ScanFan {
   // strip between their echoes?
   std::vector<std::uint8_t> is_rim_;
   std::vector<std::uint8_t> is_strip_;
+  std::vector<std::int32_t> first_row_;   // above each end
+  std::vector<std::uint32_t> crossing_;   // beams whose rim or strip crosses the centre of a row
   std::vector<Edge> outline_;             // the rest of it: where chains of sectors end
   std::vector<Edge> overlapping_;         // sectors beyond the first turn
   std::vector<std::size_t> more_strips_;  // beyond the first turn
