@@ -74,7 +74,10 @@ void ScanFan::make_sectors() {
 // The same where all neighbours lie in the first turn.
 void ScanFan::join_all() {
   const std::size_t n = beams_.size();
-  for (std::size_t i = 0; i + 1 < n; ++i) is_rim_[i] = beams_.frees(i) & beams_.frees(i + 1);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const int both = static_cast<int>(beams_.frees(i)) & static_cast<int>(beams_.frees(i + 1));
+    is_rim_[i] = static_cast<std::uint8_t>(both);
+  }
   is_rim_[n - 1] = beams_.is_round() && beams_.frees(n - 1) && beams_.frees(0);
   std::uint8_t joined = is_rim_[n - 1];
   for (std::size_t i = 0; i < n; joined = is_rim_[i++]) {
