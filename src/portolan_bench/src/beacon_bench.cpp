@@ -26,6 +26,7 @@ BeaconMapper our_beacons(const BeaconWorkload& load) {
   options.drift = 0.0;
   options.calibration.scale_stddev = 0.0;
   options.calibration.bias_stddev = 0.0;
+  options.calibration.turn_stddev = 0.0;
   BeaconMapper mapper(options);
   for (const auto& posed : load.posed) mapper.insert(posed.z, posed.T_map_sensor);
   return mapper;

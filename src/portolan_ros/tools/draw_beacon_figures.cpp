@@ -79,6 +79,7 @@ BeaconOptions known_poses_and_device() {
   options.drift = 0.0;
   options.calibration.scale_stddev = 0.0;
   options.calibration.bias_stddev = 0.0;
+  options.calibration.turn_stddev = 0.0;
   return options;
 }
 

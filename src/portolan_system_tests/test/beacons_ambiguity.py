@@ -75,7 +75,7 @@ class BeaconsAmbiguity(beacons.BeaconCase):
 
     def test_figure_11(self):
         driver = self.closing(Driver(self.namespace))
-        self.node(parameters={"drift": 0.0, "calibration": {"scale_stddev": 0.0, "bias_stddev": 0.0}})
+        self.node(parameters={"drift": 0.0, "calibration": {"scale_stddev": 0.0, "bias_stddev": 0.0, "turn_stddev": 0.0}})
         listener = self.listener()
         self.closing(Node(self.namespace, program="robot_sim", parameters=SIMULATOR))
 

@@ -18,7 +18,7 @@ from portolan_testing.waiting import eventually
 TRUTH = {3: (3.0, 1.0), 8: (-2.5, 3.5), 4000000000: (0.5, -3.0)}
 STEPS = range(40)
 SHIFT = (1.0, -0.5, 0.7)  # of odometry in the map: x, y [m], yaw [rad]
-KNOWN = {"drift": 0.0, "calibration": {"scale_stddev": 0.0, "bias_stddev": 0.0}}  # poses and device
+KNOWN = {"drift": 0.0, "calibration": {"scale_stddev": 0.0, "bias_stddev": 0.0, "turn_stddev": 0.0}}  # poses and device
 
 
 def shifted(point):

@@ -73,9 +73,10 @@ CalibrationPrior read_calibration(const YAML::Node& node, CalibrationPrior prior
   if (!node.IsDefined()) return prior;
   prior.scale = finite_number(node["scale"], "calibration: scale");
   prior.bias = finite_number(node["bias"], "calibration: bias");
-  prior.information = matrix<2, 2>(node["information"], "calibration: information");
+  prior.turn = finite_number(node["turn"], "calibration: turn");
+  prior.information = matrix<3, 3>(node["information"], "calibration: information");
   require(prior.scale > 0.0, "calibration: scale must be above 0");
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(prior.information);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(prior.information);
   require(solver.eigenvalues().minCoeff() > 0.0, "calibration: information is not positive");
   return prior;
 }
@@ -110,12 +111,12 @@ BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
 
 std::string to_yaml(const BeaconMapper& mapper) {
   const CalibrationPrior known = mapper.knowledge();
-  std::string text = "version: " + std::to_string(kVersion) +
-                     "\ndrift: " + format_double(mapper.drift()) +
-                     "\nnoise: " + format_double(mapper.noise()) +
-                     "\ncalibration:\n  scale: " + format_double(known.scale) +
-                     "\n  bias: " + format_double(known.bias) +
-                     "\n  information: " + listed(known.information) + "\nbeacons:";
+  std::string text =
+      "version: " + std::to_string(kVersion) + "\ndrift: " + format_double(mapper.drift()) +
+      "\nnoise: " + format_double(mapper.noise()) +
+      "\ncalibration:\n  scale: " + format_double(known.scale) +
+      "\n  bias: " + format_double(known.bias) + "\n  turn: " + format_double(known.turn) +
+      "\n  information: " + listed(known.information) + "\nbeacons:";
   const std::vector<BeaconEstimate> beacons = mapper.estimates();
   text += beacons.empty() ? " []\n" : "\n";
   for (const BeaconEstimate& beacon : beacons) text += shown(beacon);

@@ -21,6 +21,7 @@ CalibrationPrior prior_of(const RangeCalibrationOptions& options) {
   prior.bias = options.bias;
   prior.information(0, 0) = information_of(options.scale_stddev);
   prior.information(1, 1) = information_of(options.bias_stddev);
+  prior.information(2, 2) = information_of(options.turn_stddev);
   return prior;
 }
 
@@ -38,10 +39,20 @@ BeaconMapper::BeaconMapper(const Options& options)
 
 Outcome BeaconMapper::insert(const BeaconRanges& z, const Pose& T_map_sensor) {
   const Eigen::Vector3d p_map = antenna(T_map_sensor, options_);
+  if (is_usable(z)) move_to(p_map);  // what is not enters no log
   bool took_any = z.ranges.empty();
   for (const BeaconRange& range : z.ranges) took_any |= take(range, p_map);
   if (took_any) return Outcome::inserted;
   return is_usable(z) ? Outcome::rejected : Outcome::unusable;
+}
+
+void BeaconMapper::move_to(const Eigen::Vector3d& p_map) {
+  if (last_p_map_) {
+    const double step = (p_map - *last_p_map_).norm();
+    travel_.way += step;
+    travel_.moment += step * 0.5 * (p_map + *last_p_map_);
+  }
+  last_p_map_ = p_map;
 }
 
 bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
@@ -53,7 +64,7 @@ bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
     track = tracks_.emplace(z.id, BeaconTrack{}).first;
   }
   const double stated = z.stddev > 0.0 ? z.stddev : options_.stddev;
-  const PosedRange range{p_map, z.range, noise_ * stated};
+  const PosedRange range{p_map, z.range, noise_ * stated, travel_};
   const CalibrationFactor others = evidence_ - track->second.contribution();
   track->second.update(range, prior_, others, drift_, options_);
   if (options_.learn_drift) learn_drift(track->second.lag());
@@ -64,10 +75,10 @@ bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
 }
 
 // Innovations of a filter that believes in the right drift are white (Mehra 1970): raise it while
-// two that follow each other agree in sign, lower it while they do not.
+// they agree in sign with those before them, lower it while they do not.
 void BeaconMapper::learn_drift(double lag) {
   constexpr double kGain = 0.05;
-  constexpr double kTolerated = 0.15;  // geometry and reflections correlate innovations as well
+  constexpr double kTolerated = 0.05;  // geometry and reflections correlate innovations as well
   constexpr double kLeast = 0.0025;    // of the drift that the options state
   constexpr double kMost = 8.0;
   if (lag == 0.0) return;
@@ -75,18 +86,20 @@ void BeaconMapper::learn_drift(double lag) {
                       kMost * options_.drift);
 }
 
-// Honest deviations make the square of innovations, those cut off at 2 deviations, 0.92 on average.
+// Honest deviations leave as many innovations above their median as below it; a median bears with
+// wrong ranges.
 void BeaconMapper::learn_noise(double surprise) {
-  constexpr double kGain = 0.005;
-  constexpr double kExpected = 0.92;
+  constexpr double kGain = 0.01;
+  constexpr double kMedian = 0.6744897501960817;  // of a standard normal variable's size
   constexpr double kMost = 50.0;
   if (surprise == 0.0) return;
-  noise_ = std::clamp(noise_ * std::exp(kGain * (surprise * surprise - kExpected)), 1.0, kMost);
+  const double larger = std::abs(surprise) > kMedian ? 1.0 : -1.0;
+  noise_ = std::clamp(noise_ * std::exp(kGain * larger), 1.0, kMost);
 }
 
 CalibrationPrior BeaconMapper::knowledge() const {
   const RangeCalibration now = calibration();
-  return {now.scale, now.bias, prior_.information + evidence_.information};
+  return {now.scale, now.bias, now.turn, prior_.information + evidence_.information};
 }
 
 std::vector<BeaconEstimate> BeaconMapper::estimates() const {
@@ -100,7 +113,8 @@ std::vector<BeaconEstimate> BeaconMapper::estimates() const {
     estimate.restarts = track.restarts();
     estimate.ambiguous = track.is_ambiguous();
     const CalibrationFactor others = evidence_ - track.contribution();
-    for (const Hypothesis& h : track.straightened(prior_.given(others))) {
+    const PoseDrift drift{drift_, prior_.turns()};
+    for (const Hypothesis& h : track.straightened(travel_, drift, prior_.given(others))) {
       const RangeCalibration c = prior_.given(others + h.calibration);
       estimate.modes.push_back({h.weight, h.mean(c), h.covariance(c)});
     }
@@ -108,8 +122,9 @@ std::vector<BeaconEstimate> BeaconMapper::estimates() const {
       return a.weight > b.weight;
     };
     std::stable_sort(estimate.modes.begin(), estimate.modes.end(), heavier);
-    if (track.last_p_map()) {
-      estimate.drive = best_drive(estimate.modes, *track.last_p_map(), options_);
+    if (track.last()) {
+      const PosedRange& last = *track.last();
+      estimate.drive = best_drive(estimate.modes, last.p_map, last.stddev, options_.space);
     }
     all.push_back(std::move(estimate));
   }

@@ -8,14 +8,14 @@
 #include "portolan/beacon/inverse_range.hpp"
 #include "portolan/beacon/merge.hpp"
 #include "portolan/beacon/polar.hpp"
-#include "portolan/beacon/range_update.hpp"
 
 namespace portolan {
 
 namespace {
 
-constexpr double kApart = 3.0;         // Mahalanobis distance of places that are two
-constexpr double kNewcomersFit = 0.5;  // one that starts wrong is given up soon
+constexpr double kApart = 3.0;            // Mahalanobis distance of places that are two
+constexpr double kNewcomersFit = 0.5;     // one that starts wrong is given up soon,
+constexpr double kNewcomersRanges = 8.0;  // as if so many had come before
 
 bool lighter(const Hypothesis& a, const Hypothesis& b) { return a.log_weight < b.log_weight; }
 
@@ -28,7 +28,7 @@ void BeaconTrack::update(const PosedRange& z, const CalibrationPrior& prior,
   if (hypotheses_.empty()) {
     start(z, prior.given(others), options);
   } else {
-    forget(z, drift, options);
+    forget(z, {drift, prior.turns()}, prior.given(others));
     if (polar_)
       split_polar(z.p_map, z.stddev, origin_, prior.given(others), options.max_modes, hypotheses_);
     weigh(z, prior, others, options);
@@ -36,13 +36,15 @@ void BeaconTrack::update(const PosedRange& z, const CalibrationPrior& prior,
     if (polar_) straighten(prior.given(others));
     merge_close(options.merge_distance, ranges_, z, hypotheses_);
     if (p_right < 0.5) ++outliers_;
-    fit_ += (p_right - fit_) / options.restart.memory;
+    recent_ = std::min(recent_ + 1.0, options.restart.memory);
+    fit_ += (p_right - fit_) / recent_;
     if (options.restart.enabled && fit_ < options.restart.fit_below) {
       ++restarts_;
       start(z, prior.given(others), options);
     }
   }
-  last_p_map_ = z.p_map;
+  last_ = z;
+  travel_ = z.travel;
   find_best();
   is_ambiguous_ = stands_elsewhere(prior.given(others + best().calibration), options);
   contribution_ = is_ambiguous_ ? CalibrationFactor{} : best().calibration;
@@ -68,6 +70,8 @@ void BeaconTrack::start(const PosedRange& z, const RangeCalibration& calibration
   origin_ = z.p_map;
   if (options.space == BeaconSpace::planar) origin_.z() = 0.0;
   fit_ = kNewcomersFit;
+  recent_ = kNewcomersRanges - 1.0;
+  planar_ = options.space == BeaconSpace::planar;
   polar_ = options.parametrization == BeaconParametrization::polar;
   if (polar_) {
     inverse_range_polar(z, calibration, options, hypotheses_);
@@ -78,14 +82,11 @@ void BeaconTrack::start(const PosedRange& z, const RangeCalibration& calibration
 }
 
 // Poses drift as the robot drives, and with them where the beacon seems to be.
-void BeaconTrack::forget(const PosedRange& z, double drift, const BeaconOptions& options) {
-  if (drift == 0.0 || !last_p_map_) return;
-  const double variance = drift * drift * (z.p_map - *last_p_map_).norm();
-  for (Hypothesis& h : hypotheses_) {
-    Eigen::Vector3d spread(1.0, 1.0, options.space == BeaconSpace::spatial ? 1.0 : 0.0);
-    if (h.is_polar) spread.tail<2>() /= h.x[0] * h.x[0];  // of angles
-    h.Q.diagonal() += variance * spread;
-  }
+void BeaconTrack::forget(const PosedRange& z, const PoseDrift& drift,
+                         const RangeCalibration& calibration) {
+  if (drift.drift == 0.0 && !drift.turns) return;
+  const Travel leg = z.travel - travel_;
+  for (Hypothesis& h : hypotheses_) carry(leg, drift, calibration, planar_, origin_, h);
 }
 
 void BeaconTrack::straighten(const RangeCalibration& calibration) {
@@ -94,9 +95,10 @@ void BeaconTrack::straighten(const RangeCalibration& calibration) {
   polar_ = std::any_of(hypotheses_.begin(), hypotheses_.end(), is_polar);
 }
 
-std::vector<Hypothesis> BeaconTrack::straightened(const RangeCalibration& calibration) const {
-  if (!polar_) return hypotheses_;
+std::vector<Hypothesis> BeaconTrack::straightened(const Travel& now, const PoseDrift& drift,
+                                                  const RangeCalibration& calibration) const {
   std::vector<Hypothesis> straight;
+  straight.reserve(hypotheses_.size());
   for (const Hypothesis& h : hypotheses_) {
     if (h.is_polar) {
       append_straightened(h, origin_, calibration, straight);
@@ -104,13 +106,13 @@ std::vector<Hypothesis> BeaconTrack::straightened(const RangeCalibration& calibr
       straight.push_back(h);
     }
   }
+  for (Hypothesis& h : straight) carry(now - travel_, drift, calibration, planar_, origin_, h);
   return straight;
 }
 
 void BeaconTrack::weigh(const PosedRange& z, const CalibrationPrior& prior,
                         const CalibrationFactor& others, const BeaconOptions& options) {
   fits_.clear();
-  const double last = surprise_;
   surprise_ = 0.0;
   lag_ = 0.0;
   RangeCalibration calibration = prior.given(others);
@@ -119,10 +121,24 @@ void BeaconTrack::weigh(const PosedRange& z, const CalibrationPrior& prior,
     if (open) calibration = prior.given(others + h.calibration);
     const RangeFit fit = update_hypothesis(z, calibration, options.outliers, origin_, h);
     h.log_weight += fit.log_likelihood;
-    if (fits_.size() == best_ && !is_ambiguous_) surprise_ = std::clamp(fit.surprise, -2.0, 2.0);
+    if (fits_.size() == best_) note(fit);
     fits_.push_back(fit.p_right);
   }
-  lag_ = last * surprise_;
+}
+
+// What the best hypothesis makes of a range tells of drift and noise, unless it is ambiguous.
+void BeaconTrack::note(const RangeFit& fit) {
+  constexpr double kMemory = 0.7;  // of the trend, from range to range
+  constexpr double kMost = 2.0;
+  if (is_ambiguous_) {
+    trend_ = 0.0;
+    return;
+  }
+  surprise_ = fit.surprise;
+  if (fit.p_right < 0.5) return;  // wrong ranges come in runs: they would look like drift
+  lag_ = std::clamp(trend_, -1.0, 1.0) * std::clamp(surprise_, -1.0, 1.0);
+  trend_ =
+      kMemory * trend_ + std::sqrt(1.0 - kMemory * kMemory) * std::clamp(surprise_, -kMost, kMost);
 }
 
 // Returns P(the last range was right).
@@ -163,6 +179,8 @@ BeaconTrack BeaconTrack::restored(std::vector<Hypothesis> hypotheses, std::size_
   track.outliers_ = outliers;
   track.restarts_ = restarts;
   track.fit_ = 1.0;
+  track.recent_ = options.restart.memory;
+  track.planar_ = options.space == BeaconSpace::planar;
   track.find_best();
   track.is_ambiguous_ = track.stands_elsewhere({}, options);
   return track;

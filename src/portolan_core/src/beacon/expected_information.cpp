@@ -79,12 +79,13 @@ double expected_information(const std::vector<BeaconMode>& modes, const Eigen::V
 }
 
 std::optional<BeaconDrive> best_drive(const std::vector<BeaconMode>& modes,
-                                      const Eigen::Vector3d& p_map, const BeaconOptions& options) {
+                                      const Eigen::Vector3d& p_map, double stddev,
+                                      BeaconSpace space) {
   std::optional<BeaconDrive> best;
   double most = kWorthDriving;
   const double step = reach_of(modes, p_map);
-  for (const Eigen::Vector3d& direction : candidates(options.space)) {
-    const double tells = expected_information(modes, p_map + step * direction, options.stddev);
+  for (const Eigen::Vector3d& direction : candidates(space)) {
+    const double tells = expected_information(modes, p_map + step * direction, stddev);
     if (tells <= most * (1.0 + 1e-9)) continue;  // mirror images tie: the first one stands
     most = tells;
     best = BeaconDrive{p_map, direction, step, tells};

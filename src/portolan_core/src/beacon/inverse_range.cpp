@@ -24,7 +24,7 @@ constexpr double kPolarDeviation = 50.0 / 180.0 * kPi;
 struct Sphere {
   double distance;           // mean distance given the reading [m]
   double variance;           // of it [m^2]
-  Eigen::RowVector2d slope;  // d distance / d (scale, bias)
+  Eigen::RowVector3d slope;  // d distance / d (scale, bias, turn)
 };
 
 Sphere sphere_of(const PosedRange& z, const RangeCalibration& c, int free_dimensions) {
@@ -34,13 +34,13 @@ Sphere sphere_of(const PosedRange& z, const RangeCalibration& c, int free_dimens
   // A shell has more room outside than inside: p(d) ~ d^(n-1) N(d), whose mean lies further out.
   const double reach = std::max(distance, std::sqrt(sphere.variance));
   sphere.distance = distance + (free_dimensions - 1) * sphere.variance / reach;
-  sphere.slope = Eigen::RowVector2d(-sphere.distance, -1.0) / c.scale;
+  sphere.slope = Eigen::RowVector3d(-sphere.distance, -1.0, 0.0) / c.scale;
   return sphere;
 }
 
 // A Gaussian on the sphere in direction u: thin along it, `tangent` wide along each axis across.
 Hypothesis tangent_mode(const Eigen::Vector3d& center, const Eigen::Vector3d& u, double radius,
-                        double variance, double tangent, const Eigen::RowVector2d& slope,
+                        double variance, double tangent, const Eigen::RowVector3d& slope,
                         const Eigen::Matrix3d& space, const RangeCalibration& c) {
   Hypothesis mode;
   const Eigen::Matrix3d across = space - u * u.transpose();

@@ -39,8 +39,8 @@ RangeFit update_hypothesis(const PosedRange& z, const RangeCalibration& c,
       hypothesis.is_polar ? predict_distance_polar(mean, hypothesis.Q, origin, z.p_map)
                           : predict_distance(mean, hypothesis.Q, z.p_map);
   // reading = scale * distance + bias, and how that depends on the calibration.
-  const Eigen::RowVector2d L =
-      c.scale * distance.H * hypothesis.G + Eigen::RowVector2d(distance.mean, 1.0);
+  const Eigen::RowVector3d L =
+      c.scale * distance.H * hypothesis.G + Eigen::RowVector3d(distance.mean, 1.0, 0.0);
   const double innovation = z.range - c.scale * distance.mean - c.bias;
   const double expected = c.scale * c.scale * distance.variance;
   const double noise = z.stddev * z.stddev;
@@ -52,7 +52,7 @@ RangeFit update_hypothesis(const PosedRange& z, const RangeCalibration& c,
   const Eigen::Vector3d K = c.scale * distance.cross / S;
   const double at_prior = innovation + L * c.deviation;               // the innovation if c were 0
   const Eigen::Vector3d V = c.scale / std::sqrt(S) * distance.cross;  // S K K^T, symmetric to a bit
-  const Eigen::Vector2d W = L.transpose() / S;
+  const Eigen::Vector3d W = L.transpose() / S;
   hypothesis.x += K * at_prior;
   hypothesis.G -= K * L;
   hypothesis.Q -= V * V.transpose();

@@ -135,7 +135,7 @@ TEST(InverseRange, ShellKeepsToItsElevations) {
 
 TEST(InverseRange, AnUncertainCalibrationStretchesTheRing) {
   RangeCalibration c;
-  c.covariance = Eigen::Vector2d(0.05 * 0.05, 0.1 * 0.1).asDiagonal();
+  c.covariance = Eigen::Vector3d(0.05 * 0.05, 0.1 * 0.1, 0.0).asDiagonal();
   PosedRange z;
   z.range = 10.0;
   z.stddev = 0.1;

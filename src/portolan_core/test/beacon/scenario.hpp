@@ -39,6 +39,7 @@ inline BeaconOptions calibrated() {
   options.learn_noise = false;
   options.calibration.scale_stddev = 0.0;
   options.calibration.bias_stddev = 0.0;
+  options.calibration.turn_stddev = 0.0;
   return options;
 }
 

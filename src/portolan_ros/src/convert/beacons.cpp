@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/convert/beacons.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -52,7 +53,9 @@ portolan_msgs::RangeCalibration range_calibration(const RangeCalibration& calibr
   portolan_msgs::RangeCalibration message;
   message.scale = calibration.scale;
   message.bias = calibration.bias;
-  fill(calibration.covariance, message.covariance);
+  fill(calibration.covariance.topLeftCorner<2, 2>().eval(), message.covariance);
+  message.turn = calibration.turn;
+  message.turn_stddev = std::sqrt(calibration.covariance(2, 2));
   return message;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "portolan/beacon/beacon_estimate.hpp"
@@ -15,8 +16,8 @@ namespace portolan {
 
 /// Where beacons are, from ranges alone: each a sum of Gaussians until one remains.
 ///
-/// Section 7, Eqs. 36-39, with two things more: the scale and bias that all ranges share are
-/// estimated along, and wrong ranges have a density of their own.
+/// Section 7, Eqs. 36-39, with two things more: what all ranges share, the device's scale and bias
+/// and a turn that poses lack, is estimated along, and wrong ranges have a density of their own.
 class BeaconMapper {
  public:
   using Options = BeaconOptions;
@@ -56,6 +57,7 @@ class BeaconMapper {
                                double noise, std::map<BeaconId, BeaconTrack> tracks);
 
  private:
+  void move_to(const Eigen::Vector3d& p_map);
   void learn_drift(double lag);
   void learn_noise(double surprise);
   bool take(const BeaconRange& z, const Eigen::Vector3d& p_map);
@@ -66,6 +68,8 @@ class BeaconMapper {
   std::map<BeaconId, BeaconTrack> tracks_;
   double drift_;
   double noise_ = 1.0;
+  std::optional<Eigen::Vector3d> last_p_map_;  // of any antenna
+  Travel travel_;
   BeaconCounts counts_;
 };
 

@@ -44,12 +44,14 @@ struct RangeOutlierOptions {
   }
 };
 
-/// What all radios together may read wrong: reading = scale * distance + bias.
+/// What may be wrong with all ranges: reading = scale * distance + bias, from poses that turn too
+/// far.
 struct RangeCalibrationOptions {
   double scale = 1.0;
   double scale_stddev = 0.03;
   double bias = 0.0;
   double bias_stddev = 0.1;
+  double turn_stddev = 0.0005;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -59,6 +61,9 @@ struct RangeCalibrationOptions {
     visit("bias", self.bias, "reading at distance 0, as far as is known [m]");
     visit("bias_stddev", self.bias_stddev, "how uncertain that is; 0: not estimated [m]",
           at_least(0.0));
+    visit("turn_stddev", self.turn_stddev,
+          "by how much poses may turn too far per way travelled; 0: not estimated [rad/m]",
+          at_least(0.0));
   }
 };
 
@@ -66,14 +71,14 @@ struct RangeCalibrationOptions {
 struct BeaconRestartOptions {
   bool enabled = true;
   double fit_below = 0.25;
-  double memory = 12.0;
+  double memory = 40.0;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("enabled", self.enabled, "start beacons anew that no longer fit their ranges");
     visit("fit_below", self.fit_below, "share of recent ranges that fit, below which to restart",
           within(0.0, 1.0));
-    visit("memory", self.memory, "how many ranges are recent", at_least(1.0));
+    visit("memory", self.memory, "how many ranges are recent", at_least(8.0));
   }
 };
 
@@ -129,7 +134,7 @@ struct BeaconOptions {
           "a beacon is ambiguous while modes elsewhere hold more than this weight",
           between(0.0, 1.0));
     visit("outliers", self.outliers, "wrong ranges");
-    visit("calibration", self.calibration, "scale and bias shared by all beacons");
+    visit("calibration", self.calibration, "scale, bias and turn shared by all beacons");
     visit("restart", self.restart, "giving up a beacon's place");
   }
 };

@@ -7,6 +7,8 @@
 
 #include "portolan/beacon/beacon_options.hpp"
 #include "portolan/beacon/hypothesis.hpp"
+#include "portolan/beacon/range_update.hpp"
+#include "portolan/beacon/travel.hpp"
 
 namespace portolan {
 
@@ -17,17 +19,20 @@ class BeaconTrack {
   void update(const PosedRange& z, const CalibrationPrior& prior, const CalibrationFactor& others,
               double drift, const BeaconOptions& options);
 
-  /// Innovations of the last two ranges in standard deviations, multiplied: 0 on average where
-  /// nothing drifts, above where places lag behind. 0 while ambiguous.
+  /// The innovation of the last range times the trend of those before it, in standard deviations,
+  /// each 1 at most: 0 on average where nothing drifts, above where places lag behind. 0 while
+  /// ambiguous.
   double lag() const { return lag_; }
 
-  /// The innovation of the last range in standard deviations, 2 at most. 0 while ambiguous.
+  /// The innovation of the last range in standard deviations. 0 while ambiguous.
   double surprise() const { return surprise_; }
 
   /// Never empty after the first range; the heaviest may stand anywhere. Weights sum to 1.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
-  /// The same with polar ones replaced by as many in x, y, z as it takes.
-  std::vector<Hypothesis> straightened(const RangeCalibration& calibration) const;
+  /// The same in x, y, z, polar ones replaced by as many as it takes, and as drift has left them
+  /// since the last range, now that the antenna has come as far as `now`.
+  std::vector<Hypothesis> straightened(const Travel& now, const PoseDrift& drift,
+                                       const RangeCalibration& calibration) const;
   const Hypothesis& best() const { return hypotheses_[best_]; }
 
   /// True while hypotheses three Mahalanobis distances from the best, or more, hold more than the
@@ -42,9 +47,9 @@ class BeaconTrack {
   std::size_t outliers() const { return outliers_; }
   std::size_t restarts() const { return restarts_; }
 
-  /// The antenna at the last range [m], none since the track was restored; and at the first, the
-  /// origin of polar places.
-  const std::optional<Eigen::Vector3d>& last_p_map() const { return last_p_map_; }
+  /// The last range as it was taken, none since the track was restored; and the antenna at the
+  /// first [m], the origin of polar places.
+  const std::optional<PosedRange>& last() const { return last_; }
   const Eigen::Vector3d& origin() const { return origin_; }
 
   /// A track that was saved: Gaussians x, y, z with their weights, and its counts.
@@ -55,7 +60,8 @@ class BeaconTrack {
  private:
   void start(const PosedRange& z, const RangeCalibration& calibration,
              const BeaconOptions& options);
-  void forget(const PosedRange& z, double drift, const BeaconOptions& options);
+  void forget(const PosedRange& z, const PoseDrift& drift, const RangeCalibration& calibration);
+  void note(const RangeFit& fit);
   void weigh(const PosedRange& z, const CalibrationPrior& prior, const CalibrationFactor& others,
              const BeaconOptions& options);
   double normalize_and_prune(const BeaconOptions& options);
@@ -67,13 +73,17 @@ class BeaconTrack {
   std::vector<double> fits_;  // P(the range was right | hypothesis), beside the hypotheses
   std::size_t best_ = 0;
   bool is_ambiguous_ = true;
+  bool planar_ = true;
   bool polar_ = false;  // some hypotheses are
   CalibrationFactor contribution_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> last_p_map_;
+  std::optional<PosedRange> last_;
+  Travel travel_;  // of the antenna when it was taken
   double lag_ = 0.0;
+  double trend_ = 0.0;
   double surprise_ = 0.0;
-  double fit_ = 0.0;  // recent mean of that
+  double fit_ = 0.0;     // recent mean of that
+  double recent_ = 0.0;  // how many ranges are in it
   std::size_t ranges_ = 0;
   std::size_t outliers_ = 0;
   std::size_t restarts_ = 0;

@@ -16,8 +16,9 @@ double expected_information(const std::vector<BeaconMode>& modes, const Eigen::V
 
 /// The short drive from `p_map` [m] to the place where a range is expected to tell most; it tells
 /// two modes apart or shrinks the one that is left. None where even that would be less than a tenth
-/// of a nat.
+/// of a nat. `stddev` [m] is how wide ranges spread, as stated or as learnt.
 std::optional<BeaconDrive> best_drive(const std::vector<BeaconMode>& modes,
-                                      const Eigen::Vector3d& p_map, const BeaconOptions& options);
+                                      const Eigen::Vector3d& p_map, double stddev,
+                                      BeaconSpace space);
 
 }  // namespace portolan

@@ -9,11 +9,22 @@
 
 namespace portolan {
 
+/// How far an antenna has come, and where on the way it was.
+struct Travel {
+  double way = 0.0;                                  ///< [m]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< integral of its place over the way [m^2]
+};
+
+inline Travel operator-(const Travel& to, const Travel& from) {
+  return {to.way - from.way, to.moment - from.moment};
+}
+
 /// A range to one beacon, and where its antenna was.
 struct PosedRange {
   Eigen::Vector3d p_map = Eigen::Vector3d::Zero();  ///< of the antenna [m]
   double range = 0.0;                               ///< as read [m]
   double stddev = 0.1;                              ///< of the reading [m]
+  Travel travel;                                    ///< of the antenna so far
 };
 
 /// One guess of where a beacon is: a Gaussian whose mean depends on the calibration.
@@ -27,8 +38,8 @@ struct Hypothesis {
   double log_weight = 0.0;
   Eigen::Vector3d x = Eigen::Vector3d::Zero();  ///< place for c = 0; x, y, z or polar
   Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();  ///< covariance given c
-  Eigen::Matrix<double, 3, 2> G = Eigen::Matrix<double, 3, 2>::Zero();  ///< d place / d c
-  CalibrationFactor calibration;                                        ///< what its ranges say
+  Eigen::Matrix3d G = Eigen::Matrix3d::Zero();  ///< d place / d c
+  CalibrationFactor calibration;                ///< what its ranges say
   bool is_polar = false;  ///< place is distance [m], azimuth, elevation [rad] about an origin
 
   /// The place [m or rad] if this is the calibration, and its covariance with c unknown.
