@@ -55,7 +55,9 @@ bool is_frame_name(const std::string& name) { return !name.empty() && name.front
 }  // namespace
 
 PosedInput::PosedInput(const PosedInputOptions& options)
-    : options_(checked(options)), tf_(ros::Duration(options.tf_buffer)) {
+    : options_(checked(options)),
+      tf_(ros::Duration(options.tf_buffer)),
+      covariances_(seconds(options.tf_buffer)) {
   options_.odom_frame = ros_convert::without_slash(options_.odom_frame);
 }
 
@@ -121,6 +123,13 @@ void PosedInput::receive_odometry(const nav_msgs::Odometry& message, const std::
   tf2_msgs::TFMessage transforms;
   transforms.transforms.push_back(transform);
   receive_tf(transforms, false, now);
+  const std::string child = ros_convert::without_slash(transform.child_frame_id);
+  const bool is_odometry =
+      ros_convert::without_slash(transform.header.frame_id) == options_.odom_frame;
+  // Also where tf knows the pose from somebody else already; not where it was refused.
+  if (is_odometry &&
+      look_up(tf_, options_.odom_frame, child, ros_convert::time(message.header.stamp)))
+    covariances_.receive(message, child);
 }
 
 void PosedInput::poll(Time now) {
@@ -142,6 +151,7 @@ bool PosedInput::transforms_ran_back() { return std::exchange(tf_ran_back_, fals
 
 void PosedInput::clear() {
   tf_.clear();
+  covariances_.clear();
   for (const Waiting& waiting : waiting_) tallies_[waiting.input].drop(Drop::time_ran_back);
   waiting_.clear();
   seen_.clear();
@@ -196,12 +206,23 @@ std::optional<PosedInput::SensorPose> PosedInput::pose_of(const Message& message
       message.last == message.first ? first : look_up(tf_, odom, message.frame, message.last);
   if (!last) return std::nullopt;
   SensorPose pose{*first, first->inverse() * *last};
+  pose.covariance = covariance_of(*first, message.first);
   for (const std::string& reference : message.references) {
     const std::optional<Pose> there = look_up(tf_, reference, message.frame, message.first);
     if (!there) return std::nullopt;
     pose.T_reference_sensor.push_back(*there);
   }
   return pose;
+}
+
+std::optional<PoseCovariance> PosedInput::covariance_of(const Pose& T_odom_sensor,
+                                                        Time stamp) const {
+  const std::optional<OdometryCovariances::Stated> stated = covariances_.at(stamp);
+  if (!stated) return std::nullopt;
+  const std::optional<Pose> T_odom_base = look_up(tf_, options_.odom_frame, stated->frame, stamp);
+  if (!T_odom_base) return std::nullopt;
+  const Eigen::Vector3d arm = T_odom_sensor.translation() - T_odom_base->translation();
+  return turned(carried(stated->covariance, arm), T_odom_sensor.linear().transpose());
 }
 
 std::string PosedInput::missing_target(const Message& message) const {

@@ -196,6 +196,15 @@ TEST_F(PosedInputTf, DoesNotMindStampsThatRunBackALittle) {
   EXPECT_EQ(names(), "a");
 }
 
+nav_msgs::Odometry odometry_at(double s, const Pose& pose) {
+  nav_msgs::Odometry message;
+  message.header.stamp = ros_convert::time(at(s));
+  message.header.frame_id = "odom";
+  message.child_frame_id = "base_link";
+  message.pose.pose = ros_convert::pose(pose);
+  return message;
+}
+
 TEST_F(PosedInputTf, OdometryMessagesServeAsTransforms) {
   nav_msgs::Odometry message;
   message.pose.pose = ros_convert::pose(planar_pose(3.0, 1.0, 0.5));
@@ -212,6 +221,48 @@ TEST_F(PosedInputTf, OdometryMessagesServeAsTransforms) {
   ASSERT_EQ(names(), "a");
   EXPECT_TRUE(
       used[0].pose.T_odom_sensor.isApprox(planar_pose(3.0, 1.0, 0.5) * T_base_laser(), 1e-9));
+}
+
+// A heading that may be off by 0.1 rad moves a sensor half a metre to the left back and forth.
+TEST_F(PosedInputTf, TheCovarianceOfOdometryIsCarriedToTheSensor) {
+  nav_msgs::Odometry message = odometry_at(99.0, planar_pose(3.0, 1.0, 0.5 * M_PI));
+  message.pose.covariance[0] = 0.04;   // along x of odom, which is to the right of the robot
+  message.pose.covariance[35] = 0.01;  // heading
+  input.receive_odometry(message, "base_link", now);
+  message.header.stamp = ros::Time(100, 0);
+  message.pose.covariance.fill(0.0);
+  input.receive_odometry(message, "base_link", now);
+  scan("a", 99.5);
+  scan("b", 100.0);
+  ASSERT_EQ(names(), "a b");
+  ASSERT_TRUE(used[0].pose.covariance);
+  PoseCovariance expected = PoseCovariance::Zero();
+  expected(0, 0) = 0.5 * 0.5 * 0.01;
+  expected(1, 1) = 0.04;
+  expected(5, 5) = 0.01;
+  expected(0, 5) = expected(5, 0) = -0.5 * 0.01;
+  EXPECT_LT((*used[0].pose.covariance - expected).norm(), 1e-9);
+  EXPECT_FALSE(used[1].pose.covariance) << "zeros say that it is unknown";
+}
+
+TEST_F(PosedInputTf, OdometryThatIsRefusedTellsNoCovariance) {
+  nav_msgs::Odometry message = odometry_at(99.0, planar_pose(3.0, 1.0, 0.0));
+  message.pose.covariance.fill(0.0);
+  message.pose.covariance[0] = -1.0;
+  input.receive_odometry(message, "base_link", now);
+  message.header.stamp = ros::Time(99, 500000000);
+  message.pose.covariance[0] = 0.04;
+  message.header.frame_id = "elsewhere";
+  message.child_frame_id = "other";
+  input.receive_odometry(message, "base_link", now);
+  message = odometry_at(100.0, planar_pose(3.0, 1.0, 0.0));
+  input.receive_odometry(message, "base_link", now);
+  message.header.stamp = ros::Time(90000, 0);
+  message.pose.covariance[0] = 0.04;
+  input.receive_odometry(message, "base_link", now);
+  scan("a", 100.0);
+  ASSERT_EQ(names(), "a");
+  EXPECT_FALSE(used[0].pose.covariance);
 }
 
 TEST_F(PosedInputTf, RefusesOdometryThatIsNone) {

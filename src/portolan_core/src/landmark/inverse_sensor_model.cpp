@@ -30,14 +30,22 @@ Eigen::Matrix3d optical_from_level() {
 Place point_at(const Eigen::Vector3d& l, const Eigen::Matrix3d& covariance_in_sensor,
                const UncertainSensorPose& sensor) {
   const Eigen::Matrix3d R = sensor.T_map_sensor.linear();
-  Eigen::Matrix<double, 3, 4> by_pose;
-  by_pose << Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitZ().cross(R * l);
   Place place;
   place.mean = sensor.T_map_sensor * l;
   place.covariance = R * covariance_in_sensor * R.transpose() +
-                     by_pose * pose_covariance(sensor) * by_pose.transpose();
+                     carried(sensor.covariance, R * l).topLeftCorner<3, 3>();
   place.covariance = (0.5 * (place.covariance + place.covariance.transpose())).eval();
   return place;
+}
+
+/// What the pose's errors make of theta and phi, where both are 0: a ray that starts beside where
+/// it is said to start, or points beside.
+Eigen::Matrix2d angles_by_pose(const Place& ray, const PoseCovariance& covariance) {
+  const Eigen::Matrix3d R = ray.T_map_ray.linear();
+  Eigen::Matrix<double, 2, 6> J;
+  J << ray.mean[2] * R.col(1).transpose(), R.col(2).transpose(),  //
+      ray.mean[2] * R.col(2).transpose(), -R.col(1).transpose();
+  return J * covariance * J.transpose();
 }
 
 /// Eq. 33: three deviations of inverse depth reach from one limit to the other.
@@ -50,9 +58,7 @@ Place ray_along(const Eigen::Matrix3d& R_sensor_ray, const Eigen::Matrix2d& angl
   place.T_map_ray = sensor.T_map_sensor;
   place.T_map_ray.linear() = sensor.T_map_sensor.linear() * R_sensor_ray;
   place.mean = Eigen::Vector3d(0.0, 0.0, 0.5 * (nearest + furthest));
-  const double from_pose =
-      squared(sensor.heading_stddev) + squared(sensor.position_stddev * place.mean[2]);
-  place.covariance.topLeftCorner<2, 2>() = angles + from_pose * Eigen::Matrix2d::Identity();
+  place.covariance.topLeftCorner<2, 2>() = angles + angles_by_pose(place, sensor.covariance);
   place.covariance(2, 2) = squared((nearest - furthest) / 6.0);
   return place;
 }

@@ -32,7 +32,11 @@ LandmarkMapper::LandmarkMapper(const Options& options)
 Outcome LandmarkMapper::insert(const Observation& z, const Pose& T_map_sensor) {
   Message message;
   message.kind = kind_of(z);
-  message.sensor = {T_map_sensor, options_.pose.position_stddev, options_.pose.heading_stddev};
+  message.sensor = std::visit(
+      [&](const auto& seen) {
+        return uncertain(T_map_sensor, seen.pose_covariance, options_.pose);
+      },
+      z);
   message.sighted = std::visit([this](const auto& seen) { return well_formed(seen); }, z);
   if (!std::visit([](const auto& seen) { return is_usable(seen); }, z)) return Outcome::unusable;
   ++messages_;
@@ -130,7 +134,7 @@ void LandmarkMapper::choose(Message& message) const {
   const Matches others = options_.identity.matching == LandmarkMatching::nearest
                              ? match_nearest(similar, message.sighted.size())
                              : match_jointly(similar, message.sighted.size(),
-                                             pose_covariance(message.sensor), options_.wrong.gate);
+                                             message.sensor.covariance, options_.wrong.gate);
   for (std::size_t i = 0; i < others.size(); ++i) {
     if (others[i] != nullptr) message.matches[i] = others[i];
   }

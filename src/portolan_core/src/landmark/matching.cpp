@@ -22,7 +22,7 @@ bool is_taken(LandmarkId landmark, const Matches& matches) {
 class Search {
  public:
   Search(const std::vector<Candidate>& candidates, std::size_t sightings,
-         const Eigen::Matrix4d& pose_covariance, double gate)
+         const PoseCovariance& pose_covariance, double gate)
       : candidates_(candidates), pose_covariance_(pose_covariance) {
     current_.resize(sightings, nullptr);
     best_ = current_;
@@ -67,7 +67,7 @@ class Search {
   }
 
   const std::vector<Candidate>& candidates_;
-  const Eigen::Matrix4d& pose_covariance_;
+  const PoseCovariance& pose_covariance_;
   std::vector<double> gates_;  // by how many numbers were measured
   Matches current_;
   Matches best_;
@@ -97,7 +97,7 @@ Matches match_nearest(const std::vector<Candidate>& candidates, std::size_t sigh
 }
 
 Matches match_jointly(const std::vector<Candidate>& candidates, std::size_t sightings,
-                      const Eigen::Matrix4d& pose_covariance, double gate) {
+                      const PoseCovariance& pose_covariance, double gate) {
   return Search(candidates, sightings, pose_covariance, gate).best();
 }
 

@@ -30,9 +30,15 @@ Eigen::Vector3d direction(const Measured<PixelModel>& m) {
 
 }  // namespace
 
-Eigen::Matrix4d pose_covariance(const UncertainSensorPose& sensor) {
-  const double position = squared(sensor.position_stddev);
-  return Eigen::Vector4d(position, position, position, squared(sensor.heading_stddev)).asDiagonal();
+UncertainSensorPose uncertain(const Pose& T_map_sensor, const std::optional<PoseCovariance>& stated,
+                              const LandmarkPoseOptions& options) {
+  UncertainSensorPose sensor{T_map_sensor};
+  sensor.covariance.diagonal().head<3>().setConstant(squared(options.position_stddev));
+  sensor.covariance(5, 5) = squared(options.heading_stddev);
+  if (options.stated == StatedCovariance::used && stated && is_stated(*stated))
+    sensor.covariance += turned(*stated, T_map_sensor.linear());
+  sensor.is_certain = sensor.covariance.isZero(0.0);
+  return sensor;
 }
 
 Measurement measurement_of(const LandmarkSighting& sighting, const SightingNoiseOptions& noise) {

@@ -20,8 +20,9 @@ template <class Model>
 Square<Model> noise(const Measured<Model>& measured, const Linearized<Model>& linear,
                     const UncertainSensorPose& sensor, double trust) {
   Square<Model> R = (measured.variance / trust).asDiagonal();
-  if (sensor.position_stddev > 0.0 || sensor.heading_stddev > 0.0)
-    R += linear.H_pose * pose_covariance(sensor) * linear.H_pose.transpose();
+  if (sensor.is_certain) return R;
+  const Eigen::Matrix<double, Model::kSize, 6> H_pose = by_pose(linear);
+  R += H_pose * sensor.covariance * H_pose.transpose();
   return R;
 }
 
@@ -44,8 +45,9 @@ JointTerm term_of(const Place& place, const Measured<Model>& measured, const Pos
   S.diagonal() += measured.variance;
   const Square<Model> information = S.inverse();
   const typename Model::Vector weighted = information * linear->nu;
-  return {linear->nu.dot(weighted), linear->H_pose.transpose() * information * linear->H_pose,
-          linear->H_pose.transpose() * weighted, Model::kSize};
+  const Eigen::Matrix<double, Model::kSize, 6> H_pose = by_pose(*linear);
+  return {linear->nu.dot(weighted), H_pose.transpose() * information * H_pose,
+          H_pose.transpose() * weighted, Model::kSize};
 }
 
 /// Eq. 23 with the covariance in Joseph's form: symmetric and positive whatever the rounding.
@@ -107,9 +109,9 @@ std::optional<Fit> fit(const Place& place, const Measurement& measurement,
                     measurement);
 }
 
-double JointTerm::distance(const Eigen::Matrix4d& pose_covariance) const {
+double JointTerm::distance(const PoseCovariance& pose_covariance) const {
   // By the matrix inversion lemma, in the form that allows for a pose that is known exactly.
-  const Eigen::Matrix4d shared = Eigen::Matrix4d::Identity() + pose_covariance * information;
+  const PoseCovariance shared = PoseCovariance::Identity() + pose_covariance * information;
   return distance_alone - vector.dot(shared.partialPivLu().solve(pose_covariance * vector));
 }
 

@@ -66,9 +66,9 @@ struct Drive {
 
 template <class Model>
 Place filtered(const Drive<Model>& drive, const LandmarkOptions& options) {
-  Place place = first_place(drive.measured[0], {drive.poses[0], 0.0, 0.0}, options);
+  Place place = first_place(drive.measured[0], UncertainSensorPose{drive.poses[0]}, options);
   for (std::size_t i = 1; i < drive.poses.size(); ++i)
-    update(place, drive.measured[i], {drive.poses[i], 0.0, 0.0}, 1.0, options);
+    update(place, drive.measured[i], UncertainSensorPose{drive.poses[i]}, 1.0, options);
   return place;
 }
 

@@ -53,10 +53,14 @@ struct Scene {
 };
 
 /// The sensor's pose after a small step along the map's axes and a small turn about its z axis.
-Pose disturbed(const Pose& T_map_sensor, const Eigen::Vector4d& error) {
+using PoseError = Eigen::Matrix<double, 6, 1>;
+
+Pose disturbed(const Pose& T_map_sensor, const PoseError& error) {
   Pose pose = T_map_sensor;
   pose.translation() += error.head<3>();
-  pose.linear() = Eigen::AngleAxisd(error[3], Eigen::Vector3d::UnitZ()) * T_map_sensor.linear();
+  const double angle = error.tail<3>().norm();
+  const Eigen::Vector3d axis = error.tail<3>().stableNormalized();
+  if (angle > 0.0) pose.linear() = Eigen::AngleAxisd(angle, axis) * T_map_sensor.linear();
   return pose;
 }
 
@@ -98,11 +102,11 @@ TYPED_TEST(LandmarkJacobians, OfAPointByItsCoordinatesAndByThePose) {
     EXPECT_LT(linear->nu.norm(), 1e-9);
     const auto by_p = [&](const Eigen::Vector3d& p) { return expected(p, scene.T_map_sensor); };
     expect_close(linear->H, numeric_jacobian(by_p, scene.p_map, &TypeParam::difference));
-    const auto by_error = [&](const Eigen::Vector4d& error) {
+    const auto by_error = [&](const PoseError& error) {
       return expected(scene.p_map, disturbed(scene.T_map_sensor, error));
     };
-    const Eigen::Vector4d none = Eigen::Vector4d::Zero();
-    expect_close(linear->H_pose, numeric_jacobian(by_error, none, &TypeParam::difference));
+    const PoseError none = PoseError::Zero();
+    expect_close(by_pose(*linear), numeric_jacobian(by_error, none, &TypeParam::difference));
   }
 }
 
@@ -123,11 +127,11 @@ TYPED_TEST(LandmarkJacobians, OfARayByItsCoordinatesAndByThePose) {
     EXPECT_LT(linear->nu.norm(), 1e-9);
     const auto by_x = [&](const Eigen::Vector3d& x) { return expected(x, scene.T_map_sensor); };
     expect_close(linear->H, numeric_jacobian(by_x, scene.ray.mean, &TypeParam::difference));
-    const auto by_error = [&](const Eigen::Vector4d& error) {
+    const auto by_error = [&](const PoseError& error) {
       return expected(scene.ray.mean, disturbed(scene.T_map_sensor, error));
     };
-    const Eigen::Vector4d none = Eigen::Vector4d::Zero();
-    expect_close(linear->H_pose, numeric_jacobian(by_error, none, &TypeParam::difference));
+    const PoseError none = PoseError::Zero();
+    expect_close(by_pose(*linear), numeric_jacobian(by_error, none, &TypeParam::difference));
   }
 }
 

@@ -30,7 +30,7 @@ Measured<DirectionModel> direction_to(const Eigen::Vector3d& p_map, const Pose& 
   return direction(angles[0], angles[1]);
 }
 
-UncertainSensorPose at(const Pose& T_map_sensor) { return {T_map_sensor, 0.0, 0.0}; }
+UncertainSensorPose at(const Pose& T_map_sensor) { return UncertainSensorPose{T_map_sensor}; }
 
 UncertainSensorPose at(double x, double y, double z = 0.0) {
   Pose pose = planar_pose(x, y, 0.2);
@@ -195,7 +195,10 @@ TEST(PlaceFilter, ACameraDoesNotSeeBehindItself) {
 TEST(PlaceFilter, AnUncertainPoseInflatesTheInnovation) {
   const LandmarkOptions options;
   const Place place = first_place(polar(5.0, 0.1), at(0.0, 0.0), options);
-  const UncertainSensorPose vague{at(0.0, 0.0).T_map_sensor, 0.2, 0.05};
+  LandmarkPoseOptions deviations;
+  deviations.position_stddev = 0.2;
+  deviations.heading_stddev = 0.05;
+  const UncertainSensorPose vague = uncertain(at(0.0, 0.0).T_map_sensor, std::nullopt, deviations);
   EXPECT_LT(fit(place, polar(5.5, 0.15), vague)->distance,
             fit(place, polar(5.5, 0.15), at(0.0, 0.0))->distance);
   const Place vaguer = first_place(polar(5.0, 0.1), vague, options);
@@ -203,6 +206,35 @@ TEST(PlaceFilter, AnUncertainPoseInflatesTheInnovation) {
       vaguer.covariance(0, 0) + vaguer.covariance(1, 1),
       place.covariance(0, 0) + place.covariance(1, 1) + 2.0 * 0.2 * 0.2 + 5.0 * 5.0 * 0.05 * 0.05,
       1e-9);
+}
+
+// What an exact pose and a small error of it show differs as the covariance says.
+TEST(PlaceFilter, TheFirstPlaceVariesWithThePoseAsItsCovarianceSays) {
+  const LandmarkOptions options;
+  PoseCovariance stated = PoseCovariance::Zero();
+  stated.diagonal() << 0.02, 0.04, 0.01, 1e-4, 4e-4, 9e-4;
+  stated(0, 5) = stated(5, 0) = 0.002;
+  LandmarkPoseOptions used;
+  used.stated = StatedCovariance::used;
+  const Pose T = at(1.0, 2.0, 0.5).T_map_sensor;
+  const Measurement z = direction(0.4, 0.3);
+  Place exact = first_place(z, at(T), options);
+  Place vague = first_place(z, uncertain(T, stated, used), options);
+  const PoseCovariance in_map = turned(stated, T.linear());
+  Eigen::Matrix2d expected = Eigen::Matrix2d::Zero();
+  const auto angles = [&](const Eigen::Matrix<double, 6, 1>& error) -> Eigen::Vector2d {
+    Pose moved = T;
+    moved.translation() += error.head<3>();
+    moved.linear() = (Eigen::Matrix3d::Identity() + cross_matrix(error.tail<3>())) * T.linear();
+    const Eigen::Vector3d p = InverseDepth::point(moved * (T.inverse() * exact.T_map_ray),
+                                                  Eigen::Vector3d(0.0, 0.0, exact.mean[2]));
+    return InverseDepth::from_point(exact.T_map_ray, p).head<2>();
+  };
+  const Eigen::Matrix<double, 6, 1> none = Eigen::Matrix<double, 6, 1>::Zero();
+  const auto J = testing::numeric_jacobian(angles, none);
+  expected = J * in_map * J.transpose();
+  const Eigen::Matrix2d more = (vague.covariance - exact.covariance).topLeftCorner<2, 2>();
+  EXPECT_LT((more - expected).norm(), 1e-6 * expected.norm());
 }
 
 TEST(PlaceFilter, LittleTrustMovesLittle) {

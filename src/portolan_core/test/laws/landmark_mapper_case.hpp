@@ -19,6 +19,7 @@ class LandmarkMapperCase {
     options_.filter = static_cast<LandmarkFilter>(seed % 2);
     options_.identity.matching = static_cast<LandmarkMatching>(seed / 2 % 2);
     options_.pose.position_stddev = seed % 3 == 0 ? 0.1 : 0.0;
+    options_.pose.stated = static_cast<StatedCovariance>(seed / 4 % 2);
     options_.noise.range_stddev = 0.5;
     options_.noise.azimuth_stddev = 0.3;
     options_.noise.elevation_stddev = 0.3;
@@ -33,6 +34,7 @@ class LandmarkMapperCase {
   LandmarkMapper::Observation observation() {
     if (chance(0.3)) return image();
     LandmarkSightings z;
+    if (chance(0.5)) z.pose_covariance = uniform(0.0, 0.1) * PoseCovariance::Identity();
     const bool with_ranges = chance(0.7);
     const bool planar = chance(0.5);
     for (int i = 0; i < 4; ++i) {

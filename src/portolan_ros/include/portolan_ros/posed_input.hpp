@@ -22,6 +22,7 @@
 #include "portolan/time.hpp"
 #include "portolan_ros/health.hpp"
 #include "portolan_ros/leap_guard.hpp"
+#include "portolan_ros/odometry_covariances.hpp"
 
 namespace portolan {
 
@@ -58,6 +59,8 @@ class PosedInput {
     Pose T_odom_sensor;
     Pose T_first_last;
     std::vector<Pose> T_reference_sensor = {};  ///< at the begin, for each of the references
+    /// Of T_odom_sensor, along and about the sensor's axes, where odometry states it.
+    std::optional<PoseCovariance> covariance = std::nullopt;
   };
   /// Called with the pose once it is known. None: thinned.
   using Use = std::function<std::optional<Outcome>(const SensorPose&)>;
@@ -91,7 +94,8 @@ class PosedInput {
   /// lies back, as when a bag loops without a clock, it starts to remember anew.
   void receive_tf(const tf2_msgs::TFMessage& message, bool is_static, Time now);
 
-  /// Takes odometry as a transform, for robots that send no tf. Empty frames are filled in.
+  /// Takes odometry as a transform, for robots that send no tf, and what it says of its own
+  /// uncertainty. Empty frames are filled in.
   void receive_odometry(const nav_msgs::Odometry& message, const std::string& base_frame, Time now);
 
   /// Uses what can be posed now, oldest first, and drops what has waited too long.
@@ -119,12 +123,14 @@ class PosedInput {
   bool is_repeated(std::size_t input, const Message& message);
   bool try_to_use(Waiting& waiting);
   std::optional<SensorPose> pose_of(const Message& message) const;
+  std::optional<PoseCovariance> covariance_of(const Pose& T_odom_sensor, Time stamp) const;
   std::string missing_target(const Message& message) const;
   std::string why_not(const Message& message) const;
   void make_room();
 
   PosedInputOptions options_;
   tf2::BufferCore tf_;
+  OdometryCovariances covariances_;
   std::map<std::string, LeapGuard> leap_guards_;                     // by child frame
   std::map<std::string, geometry_msgs::TransformStamped> doubtful_;  // likewise: the last leap
   bool tf_ran_back_ = false;

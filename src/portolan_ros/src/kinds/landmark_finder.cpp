@@ -5,15 +5,21 @@
 
 namespace portolan {
 
-LandmarkMapper::Observation LandmarkFinder::operator()(
-    FramedFeatures z, const PosedInput::SensorPose& /*pose*/) const {
+LandmarkMapper::Observation LandmarkFinder::operator()(FramedFeatures z,
+                                                       const PosedInput::SensorPose& pose) const {
   const auto camera = cameras_.find(z.frame);
   return ImageFeatures{camera == cameras_.end() ? PinholeCamera{} : camera->second,
-                       std::move(z.features)};
+                       std::move(z.features), pose.covariance};
 }
 
-LandmarkMapper::Observation LandmarkFinder::operator()(
-    const IntensityScan& z, const PosedInput::SensorPose& /*pose*/) const {
+LandmarkMapper::Observation LandmarkFinder::operator()(const IntensityScan& z,
+                                                       const PosedInput::SensorPose& pose) const {
+  LandmarkSightings found = detect(z);
+  found.pose_covariance = pose.covariance;
+  return found;
+}
+
+LandmarkSightings LandmarkFinder::detect(const IntensityScan& z) const {
   switch (options_.detector) {
     case ScanDetector::reflectors:
       return detect_reflectors(z, z.intensities, options_.detection, options_.reflectors);

@@ -7,26 +7,26 @@
 #include "portolan/landmark/inverse_depth.hpp"
 #include "portolan/landmark/measurement.hpp"
 #include "portolan/landmark/place.hpp"
+#include "portolan/pose_covariance.hpp"
 
 namespace portolan {
 
 /// A measurement less what was expected of it, linear in the errors of place and sensor pose.
 template <class Model>
 struct Linearized {
-  typename Model::Vector nu;                      ///< innovation
-  typename Model::Jacobian H;                     ///< by the coordinates of the place
-  Eigen::Matrix<double, Model::kSize, 4> H_pose;  ///< by sensor position and heading in the map
+  typename Model::Vector nu;       ///< innovation
+  typename Model::Jacobian H;      ///< by the coordinates of the place
+  typename Model::Jacobian H_map;  ///< by `seen`
+  Eigen::Vector3d seen;            ///< from sensor to landmark, in the map's axes, times `scale`
+  double scale = 1.0;
 };
 
-/// The pose's share for a sensor that sees `l`, a vector from it times `scale`: the sensor moved
-/// along the map's axes, and turned about its z axis.
+/// The derivative by the sensor's pose: moved along the map's axes, and turned about them.
 template <class Model>
-Eigen::Matrix<double, Model::kSize, 4> by_pose(const typename Model::Jacobian& H_l,
-                                               const Eigen::Vector3d& l, double scale,
-                                               const Eigen::Matrix3d& R_map_sensor) {
-  Eigen::Matrix<double, 3, 4> in_map;
-  in_map << -scale * Eigen::Matrix3d::Identity(), -Eigen::Vector3d::UnitZ().cross(R_map_sensor * l);
-  return H_l * R_map_sensor.transpose() * in_map;
+Eigen::Matrix<double, Model::kSize, 6> by_pose(const Linearized<Model>& linear) {
+  Eigen::Matrix<double, Model::kSize, 6> H_pose;
+  H_pose << -linear.scale * linear.H_map, linear.H_map * cross_matrix(linear.seen);
+  return H_pose;
 }
 
 /// Of a landmark whose coordinates are x y z.
@@ -37,9 +37,8 @@ std::optional<Linearized<Model>> linearize_point(const Eigen::Vector3d& p_map,
   const Eigen::Matrix3d R = T_map_sensor.linear();
   const Eigen::Vector3d l = R.transpose() * (p_map - T_map_sensor.translation());
   if (!Model::sees(l)) return std::nullopt;
-  const typename Model::Jacobian H_l = measured.model.H(l);
-  return Linearized<Model>{Model::difference(measured.z, measured.model.h(l)), H_l * R.transpose(),
-                           by_pose<Model>(H_l, l, 1.0, R)};
+  const typename Model::Jacobian H = measured.model.H(l) * R.transpose();
+  return Linearized<Model>{Model::difference(measured.z, measured.model.h(l)), H, H, R * l, 1.0};
 }
 
 /// Of a ray, by the chain rule of Eq. 35, in the form that holds through infinity.
@@ -49,10 +48,11 @@ std::optional<Linearized<Model>> linearize_ray(const Place& ray, const Measured<
   const Eigen::Vector3d l = InverseDepth::scaled_in_sensor(ray.T_map_ray, ray.mean, T_map_sensor);
   if (!Model::sees(l)) return std::nullopt;
   const typename Model::Jacobian H_l = measured.model.H(l);
+  const Eigen::Matrix3d R = T_map_sensor.linear();
   return Linearized<Model>{
       Model::difference(measured.z, measured.model.h(l)),
       H_l * InverseDepth::scaled_in_sensor_by_x(ray.T_map_ray, ray.mean, T_map_sensor),
-      by_pose<Model>(H_l, l, ray.mean[2], T_map_sensor.linear())};
+      H_l * R.transpose(), R * l, ray.mean[2]};
 }
 
 /// Of a ray whose range is measured: linear about the point that the sighting shows, `p_map`,

@@ -32,6 +32,14 @@ enum class LandmarkMatching {
 
 constexpr std::array<const char*, 2> enum_names(LandmarkMatching) { return {"nearest", "joint"}; }
 
+/// What becomes of the covariance that odometry states of its poses.
+enum class StatedCovariance {
+  ignored,  ///< many drivers state constants, or what has grown since the start
+  used,     ///< sightings count less where the pose was vague
+};
+
+constexpr std::array<const char*, 2> enum_names(StatedCovariance) { return {"ignored", "used"}; }
+
 /// What becomes of landmarks that were loaded from a file.
 enum class LoadedLandmarks {
   prior,  ///< sightings go on moving them

@@ -62,11 +62,15 @@ struct LandmarkExistenceOptions {
 struct LandmarkPoseOptions {
   double position_stddev = 0.0;
   double heading_stddev = 0.0;
+  StatedCovariance stated = StatedCovariance::ignored;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("position_stddev", self.position_stddev, "along each axis [m]", at_least(0.0));
     visit("heading_stddev", self.heading_stddev, "[rad]", at_least(0.0));
+    visit("stated", self.stated,
+          "what becomes of the covariance in the messages on odom_topic, which comes on top; zeros "
+          "say that it is unknown");
   }
 };
 

@@ -28,6 +28,6 @@ Matches match_nearest(const std::vector<Candidate>& candidates, std::size_t sigh
 /// of the largest the one that fits best: branch and bound (Neira and Tardos 2001). Where that
 /// takes too long, the best set found until then. Candidates must be sorted by sighting.
 Matches match_jointly(const std::vector<Candidate>& candidates, std::size_t sightings,
-                      const Eigen::Matrix4d& pose_covariance, double gate);
+                      const PoseCovariance& pose_covariance, double gate);
 
 }  // namespace portolan

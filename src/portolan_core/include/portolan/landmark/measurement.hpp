@@ -9,6 +9,7 @@
 #include "portolan/observation/image_features.hpp"
 #include "portolan/observation/landmark_sightings.hpp"
 #include "portolan/pose.hpp"
+#include "portolan/pose_covariance.hpp"
 
 namespace portolan {
 
@@ -28,12 +29,14 @@ using Measurement =
 /// Where the sensor was, and how well that is known.
 struct UncertainSensorPose {
   Pose T_map_sensor = Pose::Identity();
-  double position_stddev = 0.0;  ///< along each axis of the map [m]
-  double heading_stddev = 0.0;   ///< about the map's z axis [rad]
+  bool is_certain = true;
+  PoseCovariance covariance = PoseCovariance::Zero();  ///< along and about the map's axes
 };
 
-/// Of the sensor's position in the map and its heading.
-Eigen::Matrix4d pose_covariance(const UncertainSensorPose& sensor);
+/// With the deviations of the options and, where these ask for it, the covariance that goes with
+/// the observation, along and about the sensor's axes.
+UncertainSensorPose uncertain(const Pose& T_map_sensor, const std::optional<PoseCovariance>& stated,
+                              const LandmarkPoseOptions& options);
 
 /// The measurement in a well-formed sighting; deviations that it does not state are the options'.
 Measurement measurement_of(const LandmarkSighting& sighting, const SightingNoiseOptions& noise);

@@ -23,12 +23,12 @@ struct Fit {
 /// one pose.
 struct JointTerm {
   double distance_alone = 0.0;
-  Eigen::Matrix4d information = Eigen::Matrix4d::Zero();  ///< of the pose's error
-  Eigen::Vector4d vector = Eigen::Vector4d::Zero();       ///< information times that error
+  PoseCovariance information = PoseCovariance::Zero();  ///< of the pose's error
+  Eigen::Matrix<double, 6, 1> vector = Eigen::Matrix<double, 6, 1>::Zero();  ///< times that error
   int size = 0;
 
   /// The squared Mahalanobis distance of all, given the covariance of the pose's error.
-  double distance(const Eigen::Matrix4d& pose_covariance) const;
+  double distance(const PoseCovariance& pose_covariance) const;
 };
 
 JointTerm operator+(JointTerm a, const JointTerm& b);

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "portolan/observation/pinhole_camera.hpp"
+#include "portolan/pose_covariance.hpp"
 
 namespace portolan {
 
@@ -23,6 +25,8 @@ struct ImageFeature {
 struct ImageFeatures {
   PinholeCamera camera;
   std::vector<ImageFeature> features;
+  /// Of the sensor's pose, along and about the sensor's own axes, where anybody stated it.
+  std::optional<PoseCovariance> pose_covariance = std::nullopt;
 };
 
 /// True where both pixels are finite.

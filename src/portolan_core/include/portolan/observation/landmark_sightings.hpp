@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
+
+#include "portolan/pose_covariance.hpp"
 
 namespace portolan {
 
@@ -25,6 +28,8 @@ struct LandmarkSighting {
 /// The landmarks that one sensor saw in one moment; empty where it looked and saw none.
 struct LandmarkSightings {
   std::vector<LandmarkSighting> sightings;
+  /// Of the sensor's pose, along and about the sensor's own axes, where anybody stated it.
+  std::optional<PoseCovariance> pose_covariance = std::nullopt;
 };
 
 /// True where the azimuth is finite, range (above 0) and elevation are finite or NaN, and no

@@ -42,7 +42,8 @@ struct LandmarkFinderOptions {
   }
 };
 
-/// Makes sightings of scans, and joins the features of an image with how its camera draws.
+/// Makes sightings of scans, and joins the features of an image with how its camera draws. What
+/// odometry states of its uncertainty goes with all of them.
 class LandmarkFinder {
  public:
   using Options = LandmarkFinderOptions;
@@ -57,7 +58,8 @@ class LandmarkFinder {
     return {};
   }
 
-  Observation operator()(LandmarkSightings z, const PosedInput::SensorPose& /*pose*/) const {
+  Observation operator()(LandmarkSightings z, const PosedInput::SensorPose& pose) const {
+    z.pose_covariance = pose.covariance;
     return z;
   }
 
@@ -71,6 +73,8 @@ class LandmarkFinder {
   Observation operator()(const IntensityScan& z, const PosedInput::SensorPose& pose) const;
 
  private:
+  LandmarkSightings detect(const IntensityScan& z) const;
+
   Options options_;
   std::map<std::string, PinholeCamera> cameras_;  // by frame
 };
