@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pairs.hpp"
@@ -63,6 +65,20 @@ struct Wood {
     return visits;
   }
 
+  /// How far the trees of these numbers are from where they are mapped, root mean square [m].
+  template <class Places>
+  double rms_error(const Places& places) const {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const auto& [tree, mean] : places) {
+      if (tree < 0 || static_cast<std::size_t>(tree) >= trees_.size()) continue;
+      const Eigen::Vector3d& truth = trees_[static_cast<std::size_t>(tree)];
+      sum += (mean - truth.head<2>()).squaredNorm();
+      ++count;
+    }
+    return std::sqrt(sum / static_cast<double>(count));
+  }
+
   bool with_identities = true;
 
  private:
@@ -97,6 +113,21 @@ std::size_t sightings_in(const std::vector<Wood::Posed>& visits) {
   return count;
 }
 
+using Places = std::vector<std::pair<std::int32_t, Eigen::Vector2d>>;
+
+Places places_of(const LandmarkMapper& map) {
+  Places places;
+  for (const LandmarkEstimate& landmark : map.estimates())
+    places.emplace_back(landmark.id, landmark.mean.head<2>());
+  return places;
+}
+
+Places places_of(const PlainLandmarks& map) {
+  Places places;
+  for (const auto& [id, landmark] : map.landmarks()) places.emplace_back(id, landmark.mean);
+  return places;
+}
+
 /// Microseconds for a sighting in a map that holds so many landmarks already.
 void map_landmarks(benchmark::State& state, bool with_identities) {
   const auto count = static_cast<std::size_t>(state.range(0));
@@ -120,6 +151,8 @@ void map_landmarks(benchmark::State& state, bool with_identities) {
   state.counters["us_ours"] = 1e6 * pairs.ours() / sightings;
   state.counters["us_plain"] = 1e6 * pairs.peer() / sightings;
   state.counters["times_plain"] = pairs.ratio();
+  state.counters["mm_ours"] = 1e3 * wood.rms_error(places_of(ours));
+  state.counters["mm_plain"] = 1e3 * wood.rms_error(places_of(plain));
   state.counters["landmarks"] = static_cast<double>(ours.store().size());
 }
 

@@ -50,8 +50,11 @@ std::string shown(const LandmarkEstimate& landmark, const LandmarkTrack& track) 
                      "\n    kind: " + enum_names(landmark.form).at(form) + "\n";
   if (!track.has_height()) text += "    flat: true\n";
   if (is_ray) return text + shown_ray(landmark.place);
-  const bool hides_height = landmark.covariance(2, 2) != landmark.place.covariance(2, 2);
-  return hides_height ? text + shown_height(landmark) : text;
+  const Eigen::Matrix3d& independent = landmark.place.covariance;
+  if (landmark.covariance(2, 2) == 0.0 && independent(2, 2) != 0.0) text += shown_height(landmark);
+  if (landmark.covariance(0, 0) != independent(0, 0))
+    text += "    independent: " + listed(independent) + "\n";
+  return text;
 }
 
 void read_ray(const YAML::Node& node, const std::string& name, Place& place) {
@@ -84,6 +87,8 @@ LandmarkTrack read_track(const YAML::Node& node, const std::string& name) {
   place.mean = matrix<3, 1>(node["mean"], name + ": mean");
   place.covariance = covariance(node["covariance"], name + ": covariance");
   if (node["height"].IsDefined()) read_height(node["height"], name, place);
+  if (node["independent"].IsDefined())
+    place.covariance = covariance(node["independent"], name + ": independent");
   if (node["ray"].IsDefined()) read_ray(node["ray"], name, place);
   const YAML::Node sightings = node["sightings"];
   const YAML::Node flat = node["flat"];

@@ -208,7 +208,10 @@ LandmarkEstimate LandmarkMapper::estimate(LandmarkId id, const LandmarkTrack& tr
     estimate.form =
         has_depth(track.place(), max_depth) ? LandmarkForm::ray : LandmarkForm::direction;
   estimate.mean = point.mean;
-  estimate.covariance = point.covariance;
+  // An offset that is never estimated (Schmidt's consider filter): the landmark's and the
+  // detector's. It is in each sighting alike, so that nothing of it enters the innovations.
+  const double repeated = options_.noise.repeated_stddev * options_.noise.repeated_stddev;
+  estimate.covariance = point.covariance + repeated * Eigen::Matrix3d::Identity();
   const bool is_flat = options_.space == LandmarkSpace::planar ||
                        (options_.space == LandmarkSpace::automatic && !track.has_height());
   if (is_flat) {

@@ -11,6 +11,10 @@ namespace portolan {
 
 namespace {
 
+/// Others may lie in the same direction: bearings alone never make a place so sure [log-odds] that
+/// it outlives being looked through.
+constexpr double kSurestByBearing = 5.0;
+
 /// Huber's weight: 1 up to so many deviations, then falling with the distance.
 double trust_in(const Fit& fit, double huber) {
   const double deviations = std::sqrt(fit.distance / fit.size);
@@ -42,7 +46,10 @@ void LandmarkTrack::take(const Measurement& z, const UncertainSensorPose& sensor
                          const LandmarkOptions& options) {
   update(place_, z, sensor, trust_in(fit, options.wrong.huber), options);
   ++sightings_;
-  log_odds_ -= std::log(options.existence.p_spurious);
+  const double evidence = -std::log(options.existence.p_spurious);
+  const bool has_range = shown_point(z, sensor.T_map_sensor).has_value();
+  log_odds_ = has_range ? log_odds_ + evidence
+                        : std::max(log_odds_, std::min(log_odds_ + evidence, kSurestByBearing));
   has_height_ |= tells_height(z);
   rival_.reset();
 }

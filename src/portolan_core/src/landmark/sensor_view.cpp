@@ -37,7 +37,11 @@ void SensorView::note(const Eigen::Vector3d& l, bool seen) {
 }
 
 double SensorView::p_detection(const Eigen::Vector3d& l) const {
-  const Count& count = counts_[bin(l)];
+  // Where too little is known, what is nearer is seen as well as what is behind it.
+  std::size_t i = bin(l);
+  const std::size_t furthest = i - i % kRanges + kRanges - 1;
+  while (i < furthest && counts_[i].seen + counts_[i].missed < kDoubt) ++i;
+  const Count& count = counts_[i];
   return static_cast<double>(count.seen / (count.seen + count.missed + kDoubt));
 }
 

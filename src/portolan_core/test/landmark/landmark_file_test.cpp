@@ -16,8 +16,8 @@ using landmark_test::sighting;
 using landmark_test::sightings;
 
 /// Points, rays, directions, flat ones and ones without identity.
-LandmarkMapper mixed() {
-  LandmarkMapper mapper{LandmarkOptions{}};
+LandmarkMapper mixed(const LandmarkOptions& options = {}) {
+  LandmarkMapper mapper{options};
   Room room(1);
   room.drive(mapper, 30);
   mapper.insert(
@@ -36,6 +36,16 @@ TEST(LandmarkFile, SavedLoadedAndSavedAgainIsEqual) {
   EXPECT_NE(text.find("kind: ray"), std::string::npos);
   EXPECT_NE(text.find("flat: true"), std::string::npos);
   EXPECT_NE(text.find("id: -2"), std::string::npos);
+}
+
+TEST(LandmarkFile, WhatRepeatsIsNotAddedTwice) {
+  LandmarkOptions options;
+  options.noise.repeated_stddev = 0.1;
+  const std::string text = to_yaml(mixed(options));
+  EXPECT_NE(text, to_yaml(mixed()));
+  EXPECT_EQ(to_yaml(landmarks_from_yaml(text, options)), text);
+  LandmarkMapper plain = landmarks_from_yaml(text, LandmarkOptions{});
+  EXPECT_EQ(to_yaml(plain), to_yaml(mixed())) << "the filter's own covariance is in the file";
 }
 
 TEST(LandmarkFile, ALoadedMapGoesOn) {

@@ -173,5 +173,34 @@ TEST(LandmarkMapper, LoadedLandmarksStayWhereTheyAreIfTheyMust) {
   }
 }
 
+TEST(LandmarkMapper, WhatRepeatsIsInTheCovarianceOnce) {
+  LandmarkOptions options;
+  LandmarkMapper without(options);
+  options.noise.repeated_stddev = 0.1;
+  LandmarkMapper with(options);
+  for (int i = 0; i < 20; ++i) {
+    const LandmarkSightings z = sightings({sighting(1, 3.0, 0.1, 0.2)});
+    without.insert(z, Pose::Identity());
+    with.insert(z, Pose::Identity());
+  }
+  const Eigen::Matrix3d more = with.estimates()[0].covariance - without.estimates()[0].covariance;
+  EXPECT_LT((more - 0.01 * Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  EXPECT_EQ(with.estimates()[0].mean, without.estimates()[0].mean);
+}
+
+TEST(LandmarkMapper, BearingsAloneNeverMakeAPlaceQuiteSure) {
+  LandmarkMapper bearings{LandmarkOptions{}};
+  LandmarkMapper ranges{LandmarkOptions{}};
+  for (int i = 0; i < 40; ++i) {
+    const Pose T = planar_pose(0.0, 0.1 * i, 0.0);
+    const double azimuth = std::atan2(-0.1 * i, 3.0);
+    bearings.insert(sightings({sighting(1, LandmarkSighting::kNotMeasured, azimuth)}), T);
+    ranges.insert(sightings({sighting(1, std::hypot(3.0, 0.1 * i), azimuth)}), T);
+  }
+  EXPECT_GT(bearings.estimates()[0].existence, 0.99);
+  EXPECT_LT(bearings.estimates()[0].existence, 0.995);
+  EXPECT_GT(ranges.estimates()[0].existence, 0.999999);
+}
+
 }  // namespace
 }  // namespace portolan

@@ -34,9 +34,26 @@ Marker ellipsoid(const portolan_msgs::LandmarkMap& map, const Landmark& landmark
                  double standard_deviations) {
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   Marker ellipsoid = marker(map, "landmarks", Marker::SPHERE, landmark);
+  ellipsoid.color.a *= 0.5F;
   const Eigen::Matrix3d covariance = Eigen::Map<const RowMajor>(landmark.covariance.data());
   fill_ellipsoid(landmark.position, covariance, standard_deviations, ellipsoid);
   return ellipsoid;
+}
+
+/// Where it most likely is: the ellipsoid of a landmark that is known well is too small to be seen.
+Marker dot(const portolan_msgs::LandmarkMap& map, const Landmark& landmark) {
+  Marker dot = marker(map, "places", Marker::SPHERE, landmark);
+  dot.pose.position = landmark.position;
+  dot.scale.x = dot.scale.y = dot.scale.z = 0.12;
+  return dot;
+}
+
+/// From where it was first seen to where it most likely is.
+Marker ray(const portolan_msgs::LandmarkMap& map, const Landmark& landmark) {
+  Marker ray = marker(map, "rays", Marker::LINE_STRIP, landmark);
+  ray.points = {landmark.ray.position, landmark.position};
+  ray.scale.x = 0.02;
+  return ray;
 }
 
 Marker arrow(const portolan_msgs::LandmarkMap& map, const Landmark& landmark) {
@@ -76,6 +93,8 @@ visualization_msgs::MarkerArray landmark_markers(const portolan_msgs::LandmarkMa
       all.markers.push_back(arrow(map, landmark));
       continue;
     }
+    if (landmark.kind == Landmark::RAY) all.markers.push_back(ray(map, landmark));
+    all.markers.push_back(dot(map, landmark));
     all.markers.push_back(ellipsoid(map, landmark, standard_deviations));
     all.markers.push_back(label(map, landmark));
   }

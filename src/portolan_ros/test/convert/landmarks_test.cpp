@@ -135,11 +135,26 @@ TEST(LandmarkConversion, MarkersAreEllipsoidsOrArrows) {
   portolan_msgs::LandmarkMap map = ros_convert::landmark_map(example());
   map.landmarks[0].kind = portolan_msgs::Landmark::DIRECTION;
   const auto markers = ros_convert::landmark_markers(map, 2.0).markers;
-  ASSERT_EQ(markers.size(), 4u);  // delete all, arrow, ellipsoid, label
+  ASSERT_EQ(markers.size(), 5u);  // delete all, arrow, dot, ellipsoid, label
   EXPECT_EQ(markers[1].type, visualization_msgs::Marker::ARROW);
-  EXPECT_EQ(markers[2].type, visualization_msgs::Marker::SPHERE);
-  EXPECT_EQ(markers[3].text, "7");
-  EXPECT_GT(markers[2].scale.z, 0.0);
+  EXPECT_EQ(markers[2].ns, "places");
+  EXPECT_GT(markers[2].scale.x, 0.1) << "to be seen however well it is known";
+  EXPECT_EQ(markers[3].type, visualization_msgs::Marker::SPHERE);
+  EXPECT_EQ(markers[4].text, "7");
+  EXPECT_GT(markers[3].scale.z, 0.0);
+}
+
+TEST(LandmarkConversion, ARayIsDrawnFromWhereItWasFirstSeen) {
+  portolan_msgs::LandmarkMap map = ros_convert::landmark_map(example());
+  map.landmarks.resize(1);
+  map.landmarks[0].kind = portolan_msgs::Landmark::RAY;
+  map.landmarks[0].ray.position.x = 5.0;
+  const auto markers = ros_convert::landmark_markers(map, 2.0).markers;
+  ASSERT_EQ(markers.size(), 5u);  // delete all, ray, dot, ellipsoid, label
+  ASSERT_EQ(markers[1].type, visualization_msgs::Marker::LINE_STRIP);
+  ASSERT_EQ(markers[1].points.size(), 2u);
+  EXPECT_EQ(markers[1].points[0].x, 5.0);
+  EXPECT_EQ(markers[1].points[1].x, map.landmarks[0].position.x);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace portolan {
 /// The map as YAML: `version`, and `landmarks` with `id, mean: [x, y, z], covariance: [9,
 /// row-major], sightings, existence, evidence, kind` [m]; `evidence` is the log-odds of existence.
 /// Where no sensor told the height there are `flat: true` and, in `height`, what is assumed of it.
+/// `independent` is the covariance without what repeats in all sightings, where that differs.
 /// A ray has `ray` with `coordinates: [theta, phi, rho], covariance: [9], origin: [x, y, z],
 /// axes: [9, row-major]`.
 std::string to_yaml(const LandmarkMapper& mapper);

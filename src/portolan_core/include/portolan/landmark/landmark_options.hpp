@@ -94,7 +94,7 @@ struct LandmarkOptions {
     visit("loaded", self.loaded, "what becomes of landmarks from a file");
     visit("max_landmarks", self.max_landmarks, "sightings of further ones are dropped",
           at_least(1.0));
-    visit("noise", self.noise, "deviations of sightings that state none");
+    visit("noise", self.noise, "deviations of sightings that state none, and what repeats in all");
     visit("unmeasured", self.unmeasured, "depth and height until they are measured");
     visit("wrong", self.wrong, "wrong sightings");
     visit("identity", self.identity, "sightings without identity");

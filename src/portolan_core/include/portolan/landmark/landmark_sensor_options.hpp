@@ -7,13 +7,14 @@
 
 namespace portolan {
 
-/// Deviations of sightings that state none.
+/// Deviations of sightings that state none, and what repeats in all.
 struct SightingNoiseOptions {
   double range_stddev = 0.05;
   double range_stddev_per_metre = 0.02;
   double azimuth_stddev = 0.01;
   double elevation_stddev = 0.01;
   double pixel_stddev = 1.0;
+  double repeated_stddev = 0.0;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -24,6 +25,10 @@ struct SightingNoiseOptions {
     visit("elevation_stddev", self.elevation_stddev, "[rad]", above(0.0));
     visit("pixel_stddev", self.pixel_stddev, "of image features, along each axis [pixel]",
           above(0.0));
+    visit("repeated_stddev", self.repeated_stddev,
+          "of what all sightings of a landmark have wrong alike, along each axis: it does not "
+          "average out, and is added to the covariance once [m]",
+          at_least(0.0));
   }
 };
 

@@ -21,7 +21,7 @@ class SensorView {
   /// Takes note that a landmark at `l`, with axes as in REP 103 [m], was seen or was not.
   void note(const Eigen::Vector3d& l, bool seen);
 
-  /// P(a landmark there is seen), careful: 0 where nothing is known.
+  /// P(a landmark there is seen), careful: 0 where nothing is known of this direction so far out.
   double p_detection(const Eigen::Vector3d& l) const;
 
   /// How far it has been seen to see [m].
