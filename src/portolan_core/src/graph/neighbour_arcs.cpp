@@ -14,55 +14,89 @@ namespace {
 
 constexpr GraphSpace kSpace = GraphSpace::planar;
 
+double squared(double x) { return x * x; }
+
 TangentMatrix isotropic(double position, double heading) {
   TangentMatrix covariance = TangentMatrix::Zero();
   covariance.diagonal() << position, position, 0.0, 0.0, 0.0, heading;
   return covariance;
 }
 
-}  // namespace
-
+/// What odometry says of the way; nearly nothing where it jumped.
 Arc odometry_arc(const Keyframe& last, const Keyframe& next, const OdometryNoise& noise) {
-  const Pose T_last_new = last.T_odom_base.inverse() * next.T_odom_base;
-  const double way = T_last_new.translation().norm();
-  const double turn = rotation_angle(T_last_new);
+  const Pose T_last_next = last.T_odom_base.inverse() * next.T_odom_base;
+  const double way = T_last_next.translation().norm();
+  const double turn = rotation_angle(T_last_next);
   const double time = to_seconds(next.stamp - last.stamp);
   const bool jumped = way > noise.max_speed * std::max(time, 0.1) + 0.5;
   constexpr double kStill = 0.01;  // least way that counts, lest anything be certain [m]
   const double counted = std::max(way, kStill);
-  const double position = noise.position * noise.position * counted + (jumped ? way * way : 0.0);
-  const double heading = noise.heading * noise.heading * counted + noise.turn * noise.turn * turn +
-                         (jumped ? 1.0 : 0.0);
+  const double position = squared(noise.position) * counted + (jumped ? squared(way) : 0.0);
+  const double heading =
+      squared(noise.heading) * counted + squared(noise.turn) * turn + (jumped ? 1.0 : 0.0);
   Arc arc;
-  arc.T_from_to = T_last_new;
+  arc.T_from_to = T_last_next;
   arc.information = information_of(isotropic(position, heading), kSpace);
   arc.kind = ArcKind::odometry;
   return arc;
 }
 
-std::optional<Arc> scan_arc(const LocalMap& around_last, const Keyframe& next, const Arc& odometry,
-                            const PoseGraphOptions& options) {
+Match match_with(const LocalMap& around_last, const Keyframe& next, const Pose& T_last_next,
+                 const PoseGraphOptions& options) {
   LocalMapMaker source(options.surfaces);
   source.add(next, Pose::Identity());
   const Surface surface = std::move(source).make().surface;
-  const Match match =
-      icp(SurfaceIndex(around_last.surface), surface, odometry.T_from_to, kSpace, options.icp);
-  if (!match.converged) return std::nullopt;
-  Arc arc = odometry;
-  arc.kind = ArcKind::scan;
+  return icp(SurfaceIndex(around_last.surface), surface, T_last_next, kSpace, options.icp);
+}
+
+Arc arc_of(const Match& match) {
+  Arc arc;
   arc.T_from_to = match.T_target_source;
   arc.information = match.information;
-  const TangentMatrix covariance =
-      covariance_of(odometry.information, kSpace) + covariance_of(match.information, kSpace);
-  const Tangent v = small_motion(odometry.T_from_to.inverse() * match.T_target_source);
-  if (mahalanobis_squared(v, covariance, kSpace) > chi_squared_limit(kSpace)) {
-    arc.state = ArcState::rejected;
-    arc.reason = ArcReason::inconsistent;
-  } else if (match.overlap < options.scans.min_overlap) {
-    arc.state = ArcState::rejected;
-    arc.reason = ArcReason::low_overlap;
-  }
+  arc.kind = ArcKind::scan;
   return arc;
+}
+
+/// Odometry is told of other moments than scans are taken. From step to step that does not add up,
+/// so it counts only among scans, which say how far each step went.
+void add_lateness(double time, const OdometryNoise& noise, Arc& odometry) {
+  const double share = 2.0 * squared(noise.delay / std::max({time, noise.delay, 1e-3}));
+  const TangentMatrix late = share * isotropic(odometry.T_from_to.translation().squaredNorm(),
+                                               squared(rotation_angle(odometry.T_from_to)));
+  odometry.information = information_of(covariance_of(odometry.information, kSpace) + late, kSpace);
+}
+
+/// How much two arcs contradict each other: squared Mahalanobis distance over what chance allows.
+double contradiction(const Arc& a, const Arc& b) {
+  const TangentMatrix covariance =
+      covariance_of(a.information, kSpace) + covariance_of(b.information, kSpace);
+  const Tangent v = small_motion(a.T_from_to.inverse() * b.T_from_to);
+  return mahalanobis_squared(v, covariance, kSpace) / chi_squared_limit(kSpace);
+}
+
+ArcReason fault_of(const Match& match, double doubt, const ScanMatchOptions& options) {
+  constexpr double kLargestDoubt = 4.0;  // against which a scan that fits well is believed
+  const bool sure = match.overlap >= options.sure_overlap && doubt <= kLargestDoubt;
+  if (doubt > 1.0 && !sure) return ArcReason::inconsistent;
+  return match.overlap < options.min_overlap ? ArcReason::low_overlap : ArcReason::none;
+}
+
+}  // namespace
+
+NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
+                             const LocalMap& around_last, const PoseGraphOptions& options) {
+  NeighbourArcs arcs{odometry_arc(last, next, options.odometry), std::nullopt};
+  if (!options.scans.enabled) return arcs;
+  const Match match = match_with(around_last, next, arcs.odometry.T_from_to, options);
+  if (!match.converged) return arcs;
+  arcs.scan = arc_of(match);
+  add_lateness(to_seconds(next.stamp - last.stamp), options.odometry, arcs.odometry);
+  const double doubt = contradiction(arcs.odometry, *arcs.scan);
+  // One of the two is wrong, and who knows which: odometry shall cover both.
+  arcs.odometry.information /= std::max(1.0, doubt);
+  arcs.scan->reason = fault_of(match, doubt, options.scans);
+  if (arcs.scan->reason != ArcReason::none) arcs.scan->state = ArcState::rejected;
+  return arcs;
 }
 
 }  // namespace portolan

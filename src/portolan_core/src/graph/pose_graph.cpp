@@ -75,19 +75,21 @@ bool PoseGraph::is_due(Time stamp, const Pose& T_odom_base) const {
 
 void PoseGraph::connect() {
   const std::size_t now = keyframes_.size() - 1;
-  Arc odometry = odometry_arc(keyframes_[now - 1], keyframes_[now], options_.odometry);
-  odometry.from = static_cast<PoseId>(now - 1);
-  odometry.to = static_cast<PoseId>(now);
-  graph_.add(odometry);
-  steps_.push_back(link_of(odometry).T_from_to);
-  if (options_.scans.enabled) {
-    const LocalMap around_last =
-        placed().map_around(now - 1, options_.scans.map_way, 0.0, options_.surfaces);
-    const auto scan = scan_arc(around_last, keyframes_[now], odometry, options_);
-    if (scan) graph_.add(*scan);
-    const bool counts = scan && scan->state == ArcState::accepted;
-    if (counts) steps_.back() = fused(odometry, *scan, kSpace);
-  }
+  const LocalMap around_last =
+      options_.scans.enabled
+          ? placed().map_around(now - 1, options_.scans.map_way, 0.0, options_.surfaces)
+          : LocalMap{};
+  const auto add = [&](Arc& arc) {
+    arc.from = static_cast<PoseId>(now - 1);
+    arc.to = static_cast<PoseId>(now);
+    graph_.add(arc);
+  };
+  auto [odometry, scan] =
+      neighbour_arcs(keyframes_[now - 1], keyframes_[now], around_last, options_);
+  add(odometry);
+  if (scan) add(*scan);
+  const bool counts = scan && scan->state == ArcState::accepted;
+  steps_.push_back(counts ? fused(odometry, *scan, kSpace) : link_of(odometry).T_from_to);
   chain_.add(steps_.back());
   place_after(now - 1);
 }

@@ -9,13 +9,18 @@
 
 namespace portolan {
 
-/// What odometry says of the way from one keyframe to the next; nearly nothing where it jumped.
-/// Only motion and information are filled in.
-Arc odometry_arc(const Keyframe& last, const Keyframe& next, const OdometryNoise& noise);
+/// What holds a keyframe to the one before it.
+struct NeighbourArcs {
+  Arc odometry;
+  /// Rejected where too little fits, or where odometry contradicts and the scan does not fit well
+  /// enough to be believed all the same. None where nothing matches.
+  std::optional<Arc> scan;
+};
 
-/// What the next scan says, matched with a map around the last keyframe: an arc like that of
-/// odometry, rejected where too little fits or odometry contradicts. None where nothing matches.
-std::optional<Arc> scan_arc(const LocalMap& around_last, const Keyframe& next, const Arc& odometry,
-                            const PoseGraphOptions& options);
+/// Motion, information, kind, state and reason of the arcs from one keyframe to the next, whose
+/// scan is matched with a map around the last one. Odometry says nearly nothing where it jumped,
+/// and the less the more the scan contradicts it.
+NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
+                             const LocalMap& around_last, const PoseGraphOptions& options);
 
 }  // namespace portolan

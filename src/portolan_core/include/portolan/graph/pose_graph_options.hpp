@@ -39,6 +39,7 @@ struct OdometryNoise {
   double position = 0.05;
   double heading = 0.02;
   double turn = 0.05;
+  double delay = 0.05;
   double max_speed = 5.0;
 
   template <class Self, class Visitor>
@@ -46,6 +47,7 @@ struct OdometryNoise {
     visit("position", self.position, "deviation per root of the way [m/sqrt(m)]", above(0.0));
     visit("heading", self.heading, "deviation per root of the way [rad/sqrt(m)]", above(0.0));
     visit("turn", self.turn, "deviation per root of the turn [rad/sqrt(rad)]", at_least(0.0));
+    visit("delay", self.delay, "deviation of its stamps from the scans' [s]", at_least(0.0));
     visit("max_speed", self.max_speed,
           "odometry that moves faster has jumped, and counts for next to nothing [m/s]",
           above(0.0));
@@ -57,6 +59,7 @@ struct ScanMatchOptions {
   bool enabled = true;
   double map_way = 8.0;
   double min_overlap = 0.5;
+  double sure_overlap = 0.7;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -65,6 +68,9 @@ struct ScanMatchOptions {
           at_least(0.0));
     visit("min_overlap", self.min_overlap, "share of a scan's points that must fit",
           within(0.0, 1.0));
+    visit("sure_overlap", self.sure_overlap,
+          "share from which on a scan is believed even where odometry contradicts; above 1: never",
+          at_least(0.0));
   }
 };
 

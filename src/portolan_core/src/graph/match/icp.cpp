@@ -146,7 +146,8 @@ void measure_fit(const SurfaceIndex& target, const Surface& source, const IcpOpt
 }
 
 bool is_small(const Tangent& v, double range) {
-  return v.head<3>().norm() < 1e-4 && v.tail<3>().norm() * range < 1e-4;
+  constexpr double kSmall = 1e-3;  // far below what any scan is good for [m]
+  return v.head<3>().norm() < kSmall && v.tail<3>().norm() * range < kSmall;
 }
 
 }  // namespace
