@@ -23,8 +23,10 @@ Pose interpolate(const Pose& a, const Pose& b, double fraction) {
 }
 
 bool is_valid(const Pose& pose) {
+  constexpr double kFurthest = 1e8;  // [m]
   const Eigen::Matrix3d& R = pose.linear();
-  return pose.matrix().allFinite() && R.isUnitary(1e-6) && R.determinant() > 0.0;
+  return pose.matrix().allFinite() && pose.translation().cwiseAbs().maxCoeff() < kFurthest &&
+         R.isUnitary(1e-6) && R.determinant() > 0.0;
 }
 
 double rotation_angle(const Pose& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }

@@ -103,6 +103,10 @@ TEST(Pose, IsValidAsksForAFiniteRotation) {
   EXPECT_FALSE(is_valid(shifted));
   shifted.translation().y() = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(is_valid(shifted));
+  shifted.translation().y() = -1e30;
+  EXPECT_FALSE(is_valid(shifted));
+  shifted.translation().y() = 1e7;
+  EXPECT_TRUE(is_valid(shifted));
   Pose scaled = Pose::Identity();
   scaled.linear() *= 1.001;
   EXPECT_FALSE(is_valid(scaled));

@@ -19,7 +19,7 @@ double yaw(const Pose& pose);
 /// these poses: where a correction stays, nothing moves by a rounding.
 Pose interpolate(const Pose& a, const Pose& b, double fraction);
 
-/// True where every entry is finite and the rotation is one, to within 1e-6.
+/// True where the rotation is one, to within 1e-6, and the translation finite and below 1e8 m.
 bool is_valid(const Pose& pose);
 
 /// The angle of the rotation, in [0, pi] [rad].

@@ -64,9 +64,10 @@ std::vector<Trace> traces(const PointCloud& cloud, const Pose& T_map_sensor,
     const auto trace = slicer.trace(R * ray_sensor, returned);
     if (trace) traces.push_back(*trace);
   };
+  constexpr double kFurthest = 1e6;  // what claims to be further away was not measured [m]
   for (const Eigen::Vector3f& p : cloud.points) {
     const Eigen::Vector3d ray = p.cast<double>();
-    if (ray.allFinite()) add(ray, true);
+    if (ray.norm() < kFurthest) add(ray, true);  // false for NaN too
   }
   if (options.cloud.no_return == NoReturn::clear) {
     for (const Eigen::Vector3f& direction : cloud.no_returns) {

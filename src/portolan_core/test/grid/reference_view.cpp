@@ -173,7 +173,7 @@ std::vector<ReferenceRegion::Point> ReferenceView::rim(const RangeEcho& echo, do
 
 void ReferenceView::see(const PointCloud& cloud) {
   for (const Eigen::Vector3f& p : cloud.points) {
-    if (p.allFinite()) see_ray(T_.linear() * p.cast<double>(), true);
+    if (p.norm() < 1e6F) see_ray(T_.linear() * p.cast<double>(), true);
   }
   if (options_.cloud.no_return == NoReturn::ignore) return;
   for (const Eigen::Vector3f& d : cloud.no_returns) {
