@@ -78,8 +78,9 @@ class MapperNode {
   ros::WallTimer publish_timer_ = handle_.createWallTimer(
       ros::WallDuration(options_.node.publish_interval),
       [this](const ros::WallTimerEvent&) { outputs_.publish(ros::Time::now()); });
-  ros::WallTimer diagnostics_timer_ = handle_.createWallTimer(
-      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
+  ros::WallTimer diagnostics_timer_ =
+      handle_.createWallTimer(ros::WallDuration(options_.node.diagnostic_period),
+                              [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
 };
 
 template <class Kind>

@@ -45,6 +45,7 @@ struct NodeOptions {
   std::string map_directory = "~/.ros/portolan";
   std::string map_name = "map";
   double publish_interval = 0.5;
+  double diagnostic_period = 1.0;
   double redraw_share = 0.5;
 
   template <class Self, class Visitor>
@@ -56,6 +57,8 @@ struct NodeOptions {
     visit("map_name", self.map_name, "bare name of the files that ~save and ~load use");
     visit("publish_interval", self.publish_interval, "least time between publications [s]",
           within(0.05, 3600.0));
+    visit("diagnostic_period", self.diagnostic_period, "time between diagnostics [s]",
+          within(0.05, 60.0));
     visit("redraw_share", self.redraw_share,
           "share of one core that redrawing after a correction may use", above_to(0.0, 0.95));
   }

@@ -2,6 +2,7 @@
 #include "portolan_ros/graph/graph_keeper.hpp"
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "portolan/graph/g2o_file.hpp"
 #include "portolan_ros/map_services.hpp"
@@ -15,6 +16,9 @@ FileSet graph_file_set(const PoseGraph& graph, const std::string& name) {
 }
 
 std::string GraphKeeper::save(const std::string& name) {
+  if (pipeline_.graph().keyframes().empty()) {
+    throw std::runtime_error("nothing has been observed yet");
+  }
   const std::filesystem::path folder = folder_of(options_.map_directory);
   std::filesystem::create_directories(folder);
   const FileSet files = graph_file_set(pipeline_.graph(), checked_map_name(name));
@@ -27,7 +31,13 @@ std::string GraphKeeper::save(const std::string& name) {
 std::string GraphKeeper::load(const std::string& name) {
   const std::filesystem::path file =
       folder_of(options_.map_directory) / (checked_map_name(name) + ".g2o");
-  pipeline_.restart_from(PoseGraph::restored(options_.graph, load_graph(file)));
+  const Graph graph = load_graph(file);
+  if (graph.poses().empty()) throw std::runtime_error(file.string() + ": there is no pose in it");
+  try {
+    pipeline_.restart_from(PoseGraph::restored(options_.graph, graph));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
   return "loaded " + file.string();
 }
 

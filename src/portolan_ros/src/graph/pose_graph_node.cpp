@@ -41,7 +41,7 @@ PoseGraphNode::PoseGraphNode(const ros::NodeHandle& handle, const ros::NodeHandl
     outputs_.publish_tf(ros::Time::now());
   });
   every(options_.publish_interval, [this] { outputs_.publish(ros::Time::now()); });
-  every(1.0, [this] { diagnostics_.force_update(); });
+  every(options_.diagnostic_period, [this] { diagnostics_.force_update(); });
 }
 
 void PoseGraphNode::subscribe() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/kinds/octo_kind.hpp"
 
+#include <stdexcept>
 #include <vector>
 
 #include "portolan/octo/octo_files.hpp"
@@ -10,6 +11,7 @@ namespace portolan {
 
 FileSet OctoKind::save(const OctoMapper& map, const std::string& name,
                        const MapperNodeOptions<OctoKind>& options) {
+  if (map.blocks().size() == 0) throw std::runtime_error("nothing has been observed yet");
   return map_files(map, name, options.node.map_frame);
 }
 

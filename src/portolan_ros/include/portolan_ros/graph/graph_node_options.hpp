@@ -38,6 +38,7 @@ struct GraphNodeOptions {
   std::string map_directory = "~/.ros/portolan";
   std::string map_name = "pose_graph";
   double publish_interval = 0.5;
+  double diagnostic_period = 1.0;
   PosedInputOptions posing;
   GraphOutputOptions output;
   PoseGraphOptions graph;
@@ -53,6 +54,8 @@ struct GraphNodeOptions {
     visit("map_name", self.map_name, "bare name of the files that ~save and ~load use");
     visit("publish_interval", self.publish_interval, "least time between publications [s]",
           within(0.05, 3600.0));
+    visit("diagnostic_period", self.diagnostic_period, "time between diagnostics [s]",
+          within(0.05, 60.0));
     PosedInputOptions::describe(self.posing, visit);
     GraphOutputOptions::describe(self.output, visit);
     PoseGraphOptions::describe(self.graph, visit);
