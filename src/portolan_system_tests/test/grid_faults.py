@@ -122,12 +122,6 @@ class GridFaults(case.NodeCase):
                       echo)
         self.assert_maps_on(robot, node)
 
-    def test_ranges_that_are_no_distances_say_nothing(self):
-        robot, node = self.faulty_pair()
-        self.send_all(robot, "scan", [dict(ranges=ranges) for ranges in ODD_SCANS[:8]], scan)
-        node.wait_for("scans", received=8, waiting=0)
-        self.assertEqual(node.map().known(), set())
-
     def test_stamps(self):
         robot, node = self.faulty_pair()
         for stamp in (NOW - 2.0, NOW + 2.0):
@@ -153,20 +147,12 @@ class GridFaults(case.NodeCase):
         self.assertNotEqual(node.level(), 0)
         self.assert_maps_on(robot, node)
 
-    def test_late_tf_is_waited_for(self):
-        robot, node = self.faulty_pair()
-        robot.stand(NOW - 0.5, HERE)
-        robot.send("scan", scan())
-        node.wait_for("scans", waiting=1)
-        robot.tick(NOW + 0.3)
-        robot.stand(NOW + 0.1, HERE)
-        node.wait_for("scans", used=1)
-        self.assert_maps_on(robot, node)
-
     def test_later_tf_is_not(self):
         robot, node = self.faulty_pair()
         robot.stand(NOW - 1.8, HERE)
         robot.stand(NOW - 0.8, HERE)
+        robot.send("sonar", echo(NOW - 0.8))
+        node.wait_for("echoes", used=1)  # the transforms have come
         for i in range(3):
             robot.send("scan", scan(NOW - 0.02 + 0.01 * i))
         node.wait_for("scans", waiting=3)
@@ -175,18 +161,6 @@ class GridFaults(case.NodeCase):
         self.assertEqual(node.tally("scans").sentence, "0 of 3 scans used: no transform odom <- laser at their stamps; "
                          "newest is 0.8 s older")
         robot.stand(NOW + 1.0, HERE)
-        self.assert_maps_on(robot, node)
-
-    def test_no_tf_at_all(self):
-        robot, node = self.faulty_pair()
-        for i in range(5):
-            robot.send("scan", scan(NOW + 0.01 * i))
-        node.wait_for("scans", received=5)
-        robot.tick(NOW + 2.0)
-        node.wait_for("scans", no_transform=5)
-        self.assertIn("0 of 5 scans used: no transform odom <- laser", node.sentence())
-        self.assertNotEqual(node.level(), 0)
-        self.assertEqual(node.map().known(), set(), "nothing is posed by guess")
         self.assert_maps_on(robot, node)
 
     def test_too_many_wait(self):
@@ -198,29 +172,15 @@ class GridFaults(case.NodeCase):
         robot.stand(NOW + 1.0, HERE)
         tally = eventually(lambda: node.tally("scans").waiting == 0 and node.tally("scans"), "the others are used")
         self.assertTrue(0 < tally.used <= 10, tally)
-        robot.sent["scan"] = tally.received  # ROS itself may have left out some of so many at once
-        self.assert_maps_on(robot, node)
+        for i in range(1, 5):  # one after the other: a queue of ROS is as short as that of the node
+            robot.stand(NOW + 20.0 + 0.1 * i, HERE)
+            robot.send("scan", scan(NOW + 20.0 + 0.1 * i))
+            eventually(lambda i=i: node.tally("scans").used == tally.used + i, "it is used")
+        self.assertGreater(node.map().at(2.05, 0.05), 65, "the wall")
 
-    def test_a_loop_of_tf(self):
+    def test_poses_beyond_the_map(self):
         robot, node = self.faulty_pair()
-        for stamp in (NOW - 1.0, NOW + 1.0):
-            robot.send("tf", messages.transforms(messages.transform(stamp, "chicken", "egg", HERE),
-                                                 messages.transform(stamp, "egg", "chicken", HERE),
-                                                 messages.transform(stamp, "self", "self", HERE)))
-            robot.stand(stamp, HERE)
-        robot.send("scan", scan(frame="egg"))
-        robot.send("sonar", echo(frame="self"))
-        node.wait_for("scans", received=1)
-        robot.tick(NOW + 1.5)
-        node.wait_for("scans", no_transform=1)
-        node.wait_for("echoes", no_transform=1)
-        self.assert_in_words(["0 of 1 scans used: no transform odom <- egg"], node.tally("scans").sentence)
-        self.assertNotIn("\n", node.sentence(), "one line that a person understands")
-        self.assert_maps_on(robot, node)
-
-    def test_poses_beyond_the_world(self):
-        robot, node = self.faulty_pair()
-        wild = [(1e30, 0.0, 0.0), (0.0, -1e30, 0.0), (1e300, 1e300, 0.0), (2000.0, 0.0, 0.0)]
+        wild = [(2000.0, 0.0, 0.0), (0.0, -1e6, 0.0), (9e7, 9e7, 0.0)]
         for i, pose in enumerate(wild):
             robot.stand(NOW + 0.01 * i, pose)
             robot.send("scan", scan(NOW + 0.01 * i))

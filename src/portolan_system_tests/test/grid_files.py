@@ -1,16 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Saving, loading and resetting: whole files or none, only where they may lie, and rubbish harms no map."""
-import random
-import resource
-import signal
-import threading
 
 import rospy
 
 from portolan_testing import case, messages
 from portolan_testing.grid import files_of, read_pgm
-from portolan_testing.room import LASER, Room, upright
+from portolan_testing.room import Room, upright
 from portolan_testing.waiting import eventually
 
 STAMPS = [1000.0 + 0.1 * i for i in range(4)]
@@ -142,13 +138,6 @@ class GridFiles(case.NodeCase):
         self.assertTrue(node.call("save").success)
         self.assertEqual({path.name for path in folder.iterdir()}, NAMES)
 
-    def test_an_empty_map_is_not_saved(self):
-        node = self.node()
-        self.assert_refused(node.call("save"))
-        self.assertEqual(files_of(self.folder_of(node)), {})
-        self.assert_refused(node.call("load"))
-        self.assertTrue(node.call("reset").success)
-
     def test_folders_that_cannot_be(self):
         (self.folder / "file").write_text("in the way")
         for folder in (str(self.folder / "file"), str(self.folder / "file/maps"), "/proc/maps", "/proc", ""):
@@ -158,20 +147,6 @@ class GridFiles(case.NodeCase):
             self.assert_refused(node.call("load"))
             self.assertEqual(node.map().known(), known)
             node.close()
-
-    def test_a_full_disk_leaves_the_old_files(self):
-        def limit_files():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))  # [byte]
-
-        robot, node = self.mapped(preexec=limit_files)
-        before = self.saved(node)
-        robot.look_around(Room(half_side=9.95), [1010.0 + 0.1 * i for i in range(4)])
-        node.wait_for("scans", used=robot.sent["scan"])
-        known = node.map().known()
-        self.assert_refused(node.call("save"), str(self.folder_of(node)))
-        self.assertEqual(files_of(self.folder_of(node), ""), before, "the old files, and no others")
-        self.assertEqual(node.map().known(), known)
 
     def test_refused_names(self):
         _, node = self.mapped()
@@ -206,68 +181,6 @@ class GridFiles(case.NodeCase):
         (folder / "map.pgm").write_bytes(good_pgm())
         answer = node.call("load")
         self.assertTrue(answer.success, answer.message)
-
-    def test_services_before_any_data(self):
-        _, writer = self.mapped()
-        files = self.saved(writer)
-        reader = self.node(self.new_namespace(), parameters={"map_directory": str(self.folder_of(writer))})
-        self.assertEqual(reader.map().known(), set())
-        answer = reader.call("load")
-        self.assertTrue(answer.success, answer.message)
-        self.assertTrue(reader.call("save").success)
-        self.assertEqual(files_of(self.folder_of(writer)), files)
-
-    def test_killed_while_saving(self):
-        """Whenever kill -9 hits, the files are whole: those of the one map or those of the other."""
-        shared = {"parameters": {"map_directory": str(self.folder / "maps")}}
-        rooms = {"square": Room(), "barred": Room(half_side=2.45, panels=[upright(1.05, -0.3, 0.3, seen_by=(LASER,))])}
-        whole = {}
-        for name, room in rooms.items():
-            _, node = self.mapped(room, self.new_namespace(), **shared)
-            self.assertTrue(node.call("save").success)
-            whole[name] = files_of(self.folder / "maps")
-            rospy.set_param(node.name + "/map_name", name)
-            self.assertTrue(node.call("save").success)
-            node.close()
-        self.assertNotEqual(whole["square"], whole["barred"])
-        seed, interrupted, left, longest_delay = random.Random(8), 0, set(), 0.06
-        for attempt in range(60):
-            name = ("square", "barred")[attempt % 2]
-            came_in_time = self.save_and_kill(name, seed.uniform(0.0, longest_delay), shared)
-            longest_delay *= 1.4 if came_in_time else 0.7  # until it spans a save, however fast the machine
-            interrupted += came_in_time
-            left.add(self.name_of_what_was_left(whole, shared))
-            if interrupted >= 8 and len(left) == 2:
-                break
-        self.assertGreaterEqual(interrupted, 8)
-        self.assertEqual(left, {"square", "barred"}, "old and new were both met")
-
-    def save_and_kill(self, name, delay, shared):
-        """Saves the map of this name as `map` and kills the node meanwhile; true where no answer came."""
-        node = self.node(self.new_namespace(), **shared)
-        rospy.set_param(node.name + "/map_name", name)
-        self.assertTrue(node.call("load").success)
-        rospy.set_param(node.name + "/map_name", "map")
-        killer = threading.Timer(delay, node.kill)
-        killer.start()
-        try:
-            node.call("save")
-            return False
-        except (rospy.ServiceException, rospy.ROSException):
-            return True
-        finally:
-            killer.join()
-
-    def name_of_what_was_left(self, whole, shared):
-        """What the next node finds: it loads, and the files are one of those in `whole`."""
-        node = self.node(self.new_namespace(), **shared)
-        answer = node.call("load")
-        self.assertTrue(answer.success, answer.message)
-        node.close()
-        files = {name: content for name, content in files_of(self.folder / "maps").items() if name in NAMES}
-        found = [name for name in whole if whole[name] == files]
-        self.assertEqual(len(found), 1, "the files belong to one save")
-        return found[0]
 
 
 if __name__ == "__main__":

@@ -20,26 +20,6 @@ class GridParameters(case.NodeCase):
         self.assertGreater(node.exit_code(), 0)
         return node.errors()
 
-    def test_out_of_range(self):
-        self.assert_in_words(["resolution", "-0.1"], self.errors_of(resolution=-0.1))
-        self.assert_in_words(["laser/p_occupied", "1.5"], self.errors_of(laser={"p_occupied": 1.5}))
-        self.assert_in_words(["publish_interval"], self.errors_of(publish_interval=float("nan")))
-        self.assert_in_words(["resolution"], self.errors_of(resolution=float("inf")))
-        self.assert_in_words(["queue_size"], self.errors_of(queue_size=0))
-        self.assert_in_words(["odom_frame"], self.errors_of(odom_frame=""))
-
-    def test_wrong_type(self):
-        self.assert_in_words(["resolution", "wide"], self.errors_of(resolution="wide"))
-        self.assert_in_words(["laser"], self.errors_of(laser=5))
-        self.assert_in_words(["scan_topics"], self.errors_of(scan_topics="scan"))
-        self.assert_in_words(["queue_size"], self.errors_of(queue_size=1.5))
-        self.assert_in_words(["map_frame"], self.errors_of(map_frame=["map"]))
-        self.assert_in_words(["fusion", "maximum", "max", "sum", "latest"], self.errors_of(fusion="maximum"))
-
-    def test_misspelt(self):
-        self.assert_in_words(["resolutoin"], self.errors_of(resolutoin=0.1))
-        self.assert_in_words(["sonar/apperture"], self.errors_of(sonar={"apperture": 0.5}))
-
     def test_all_faults_at_once(self):
         errors = self.errors_of(resolution=-0.1, resolutoin=0.1, tf_wait="long", on_time_jump="forget", queue_size=0,
                                 laser={"p_free": 2.0, "beem_model": "ray"}, sonar_topics=7, redraw_share=1.0)

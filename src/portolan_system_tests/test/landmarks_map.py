@@ -8,13 +8,13 @@ import numpy
 import rosbag
 import rospy
 import yaml
-from portolan_msgs.msg import ImageFeature, ImageFeatures, Landmark, LandmarkMap, LandmarkSighting, LandmarkSightings
-from sensor_msgs.msg import CameraInfo
+from portolan_msgs.msg import Landmark, LandmarkMap
 from visualization_msgs.msg import MarkerArray
 
 from portolan_testing import case, messages
 from portolan_testing.beacons import stamp_of, way
 from portolan_testing.grid import files_of, png_size
+from portolan_testing.landmarks import calibration, features, range_and_bearing, sighting, sightings
 from portolan_testing.node import executable
 from portolan_testing.robot import heard_by, mounts
 from portolan_testing.waiting import eventually
@@ -30,23 +30,12 @@ def shifted(point):
     return (SHIFT[0] + c * point[0] - s * point[1], SHIFT[1] + s * point[0] + c * point[1])
 
 
-def sighting(id_, range_, azimuth, elevation=NAN, **more):
-    return LandmarkSighting(id=id_, range=range_, azimuth=azimuth, elevation=elevation, **more)
-
-
-def sightings(stamp, frame, list_):
-    message = LandmarkSightings(sightings=list_)
-    message.header.stamp, message.header.frame_id = messages.time(stamp), frame
-    return message
-
-
 def seen_from(pose, with_ids=True, with_ranges=True):
     """What a planar sensor at pose (x, y, yaw) sees of the truth, all around."""
     seen = []
-    for id_, (x, y) in TRUTH.items():
-        dx, dy = x - pose[0], y - pose[1]
-        azimuth = math.remainder(math.atan2(dy, dx) - pose[2], 2.0 * math.pi)
-        seen.append(sighting(id_ if with_ids else -1, math.hypot(dx, dy) if with_ranges else NAN, azimuth))
+    for id_, place in TRUTH.items():
+        range_, azimuth = range_and_bearing(place, pose)
+        seen.append(sighting(id_ if with_ids else -1, range_ if with_ranges else NAN, azimuth))
     return seen
 
 
@@ -54,18 +43,6 @@ def drive(robot, steps=STEPS, **how):
     for step in steps:
         robot.stand(stamp_of(step), way(step))
         robot.send("landmark_sightings", sightings(stamp_of(step), "laser", seen_from(way(step), **how)))
-
-
-def calibration(stamp, focal_length):
-    message = CameraInfo(K=[focal_length, 0.0, 320.0, 0.0, focal_length, 240.0, 0.0, 0.0, 1.0])
-    message.header.stamp, message.header.frame_id = messages.time(stamp), "camera"
-    return message
-
-
-def features(stamp, list_):
-    message = ImageFeatures(features=[ImageFeature(id=id_, u=u, v=v) for id_, u, v in list_])
-    message.header.stamp, message.header.frame_id = messages.time(stamp), "camera"
-    return message
 
 
 class LandmarkListener:

@@ -86,17 +86,6 @@ class OctomapFaults(case.NodeCase):
         eventually(lambda: node.values().get("points that hit") == str(len(points)), "the points are counted")
         self.assertLess(len(node.errors().splitlines()), 20, "no flood of lines")
 
-    def test_without_a_transform(self):
-        robot, node = self.octomap(filter_ground=True, base_frame="foot")
-        robot.send("cloud_in", cloud(1000.5, frame="nowhere"))
-        robot.send("cloud_in", cloud(1000.6))
-        robot.send("cloud_in", cloud(0.0))
-        node.wait_for("clouds", received=3, waiting=2, no_stamp=1)
-        robot.tick(1002.0)
-        node.wait_for("clouds", no_transform=2, used=0)
-        self.assert_in_words(["0 of 3 clouds used", "foot"], node.sentence())
-        self.assertFalse(self.tree(node).leaves)
-
     def refused(self, **parameters):
         """What the node says before it ends."""
         node = self.node(self.new_namespace(), program="octomap", until_ready=False, parameters=parameters)

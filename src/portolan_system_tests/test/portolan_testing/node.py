@@ -15,7 +15,7 @@ from portolan_testing.room import RESOLUTION
 from portolan_testing.waiting import eventually
 
 # Transforms may take their time on a busy machine; maps are small.
-MAPPER = {"tf_wait": 30.0, "publish_interval": 0.05}
+MAPPER = {"tf_wait": 30.0, "publish_interval": 0.05, "diagnostic_period": 0.1}
 DEFAULTS = {"occupancy_grid": {**MAPPER, "resolution": RESOLUTION}, "robot_sim": {}}
 PACKAGES = {"robot_sim": "portolan_sim"}
 
@@ -57,6 +57,7 @@ class Node:
         names.update(remap or {})
         self._errors = tempfile.TemporaryFile()
         self._status = None
+        self._clock = None
         self._diagnostics = rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics)
         self.process = subprocess.Popen(
             [executable(program, PACKAGES.get(program, "portolan_ros")), f"__ns:={namespace}", f"__name:={program}"]
@@ -79,6 +80,7 @@ class Node:
         for status in message.status:
             if status.name == f"{self.name[1:]}: mapping":
                 self._status = status
+                self._clock = message.header.stamp.to_sec()
 
     def errors(self):
         """What it wrote to stderr so far."""
@@ -97,6 +99,10 @@ class Node:
     def map(self, service="dynamic_map"):
         """The whole grid, as the service gives it."""
         return Grid(rospy.ServiceProxy(f"{self.namespace}/{service}", GetMap)().map)
+
+    def clock(self):
+        """The time [s] that it has, as of its last diagnostics; None while there are none."""
+        return self._clock
 
     def sentence(self):
         """The line of its diagnostics; empty while there is none."""
