@@ -32,6 +32,7 @@ bool is_valid(const Pose& pose) {
 double rotation_angle(const Pose& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }
 
 double wrap_angle(double angle) {
+  if (angle > -M_PI && angle <= M_PI) return angle;
   const double wrapped = std::remainder(angle, 2.0 * M_PI);
   return wrapped > -M_PI ? wrapped : wrapped + 2.0 * M_PI;
 }

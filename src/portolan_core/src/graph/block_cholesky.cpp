@@ -240,11 +240,11 @@ void BlockCholesky<n>::solve_forward(std::size_t s, Eigen::VectorXd& dense,
                                      Eigen::VectorXd& x) const {
   const Supernode& supernode = pattern_->supernodes()[s];
   const Index columns = supernode.columns() * Index{n};
-  const Index rows = supernode.height * Index{n};
+  const Index step = panel_step<n>(supernode);
   const int* below = pattern_->rows().data() + supernode.below;
-  dense.setZero(rows);
+  dense.setZero(step);
   dense.head(columns) = x.segment(supernode.first * Index{n}, columns);
-  dense_kernels().solve_forward(panel(s), panel_step<n>(supernode), rows, columns, dense.data());
+  dense_kernels().solve_forward(panel(s), step, columns, dense.data());
   x.segment(supernode.first * Index{n}, columns) = dense.head(columns);
   for (int i = 0; i < supernode.rows_below(); ++i) {
     x.segment<n>(below[i] * Index{n}) += dense.segment<n>(columns + i * n);
@@ -256,14 +256,14 @@ void BlockCholesky<n>::solve_backward(std::size_t s, Eigen::VectorXd& dense,
                                       Eigen::VectorXd& x) const {
   const Supernode& supernode = pattern_->supernodes()[s];
   const Index columns = supernode.columns() * Index{n};
-  const Index rows = supernode.height * Index{n};
+  const Index step = panel_step<n>(supernode);
   const int* below = pattern_->rows().data() + supernode.below;
-  dense.resize(rows);
+  dense.setZero(step);
   dense.head(columns) = x.segment(supernode.first * Index{n}, columns);
   for (int i = 0; i < supernode.rows_below(); ++i) {
     dense.segment<n>(columns + i * n) = x.segment<n>(below[i] * Index{n});
   }
-  dense_kernels().solve_backward(panel(s), panel_step<n>(supernode), rows, columns, dense.data());
+  dense_kernels().solve_backward(panel(s), step, columns, dense.data());
   x.segment(supernode.first * Index{n}, columns) = dense.head(columns);
 }
 

@@ -91,35 +91,4 @@ PORTOLAN_INLINE bool factor_panel(double* a, Index ld, Index columns) {
   return true;
 }
 
-PORTOLAN_INLINE void solve_forward(const double* l, Index ld, Index rows, Index columns,
-                                   double* x) {
-  for (Index j = 0; j < columns; ++j, l += ld) {
-    const double xj = x[j] / l[j];
-    x[j] = xj;
-    for (Index i = j + 1; i < rows; ++i) x[i] -= l[i] * xj;
-  }
-}
-
-template <class Vector>
-PORTOLAN_INLINE void solve_backward(const double* l, Index ld, Index rows, Index columns,
-                                    double* x) {
-  constexpr Index kStep = kWidth<Vector>;
-  for (Index j = columns - 1; j >= 0; --j) {
-    const double* column = l + j * ld;
-    Vector sums = {};
-    Index i = j + 1;
-    for (; i + kStep <= rows; i += kStep) {
-      Vector a;
-      Vector b;
-      load(a, column + i);
-      load(b, x + i);
-      sums += a * b;
-    }
-    double sum = 0.0;
-    for (Index k = 0; k < kStep; ++k) sum += sums[k];
-    for (; i < rows; ++i) sum += column[i] * x[i];
-    x[j] = (x[j] - sum) / column[j];
-  }
-}
-
 }  // namespace portolan::dense

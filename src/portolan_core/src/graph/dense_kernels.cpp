@@ -2,6 +2,7 @@
 #include "graph/dense_kernels.hpp"
 
 #include "graph/dense_factor.hpp"
+#include "graph/dense_solve.hpp"
 
 namespace portolan {
 
@@ -16,11 +17,11 @@ struct Portable {
   static void square(double* c, Index ldc, Index n, const double* a, Index lda, Index depth) {
     dense::subtract_square<dense::Pair>(c, ldc, n, a, lda, depth);
   }
-  static void forward(const double* l, Index ld, Index rows, Index columns, double* x) {
-    dense::solve_forward(l, ld, rows, columns, x);
+  static void forward(const double* l, Index ld, Index columns, double* x) {
+    dense::solve_forward<dense::Pair>(l, ld, columns, x);
   }
-  static void backward(const double* l, Index ld, Index rows, Index columns, double* x) {
-    dense::solve_backward<dense::Pair>(l, ld, rows, columns, x);
+  static void backward(const double* l, Index ld, Index columns, double* x) {
+    dense::solve_backward<dense::Pair>(l, ld, columns, x);
   }
   static constexpr DenseKernels kKernels{factor, square, forward, backward};
 };
@@ -34,13 +35,13 @@ struct Avx2 {
                                                          const double* a, Index lda, Index depth) {
     dense::subtract_square<dense::Quad>(c, ldc, n, a, lda, depth);
   }
-  __attribute__((target("avx2,fma"))) static void forward(const double* l, Index ld, Index rows,
-                                                          Index columns, double* x) {
-    dense::solve_forward(l, ld, rows, columns, x);
+  __attribute__((target("avx2,fma"))) static void forward(const double* l, Index ld, Index columns,
+                                                          double* x) {
+    dense::solve_forward<dense::Quad>(l, ld, columns, x);
   }
-  __attribute__((target("avx2,fma"))) static void backward(const double* l, Index ld, Index rows,
-                                                           Index columns, double* x) {
-    dense::solve_backward<dense::Quad>(l, ld, rows, columns, x);
+  __attribute__((target("avx2,fma"))) static void backward(const double* l, Index ld, Index columns,
+                                                           double* x) {
+    dense::solve_backward<dense::Quad>(l, ld, columns, x);
   }
   static constexpr DenseKernels kKernels{factor, square, forward, backward};
 };
@@ -55,13 +56,15 @@ struct Avx512 {
       double* c, Index ldc, Index n, const double* a, Index lda, Index depth) {
     dense::subtract_square<dense::Octet>(c, ldc, n, a, lda, depth);
   }
-  __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"))) static void forward(
-      const double* l, Index ld, Index rows, Index columns, double* x) {
-    dense::solve_forward(l, ld, rows, columns, x);
+  __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"))) static void forward(const double* l,
+                                                                                    Index ld,
+                                                                                    Index columns,
+                                                                                    double* x) {
+    dense::solve_forward<dense::Quad>(l, ld, columns, x);
   }
   __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"))) static void backward(
-      const double* l, Index ld, Index rows, Index columns, double* x) {
-    dense::solve_backward<dense::Octet>(l, ld, rows, columns, x);
+      const double* l, Index ld, Index columns, double* x) {
+    dense::solve_backward<dense::Quad>(l, ld, columns, x);
   }
   static constexpr DenseKernels kKernels{factor, square, forward, backward};
 };

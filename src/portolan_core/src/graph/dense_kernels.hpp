@@ -21,12 +21,11 @@ struct DenseKernels {
   /// Lower triangle of C (n x n) -= A A^T, where A has `depth` columns.
   void (*subtract_square)(double* c, std::ptrdiff_t ldc, std::ptrdiff_t n, const double* a,
                           std::ptrdiff_t lda, std::ptrdiff_t depth);
-  /// x = L^-1 x for the upper `columns` rows, then x -= L x for those below, `rows` in all.
-  void (*solve_forward)(const double* l, std::ptrdiff_t ld, std::ptrdiff_t rows,
-                        std::ptrdiff_t columns, double* x);
+  /// x = L^-1 x for the upper `columns` rows, then x -= L x for those below, `ld` in all. Rows of
+  /// padding must be finite in x and zero in L, which they are if they were before it was factored.
+  void (*solve_forward)(const double* l, std::ptrdiff_t ld, std::ptrdiff_t columns, double* x);
   /// x -= L^T x of the rows below the upper `columns`, then x = L^-T x for these.
-  void (*solve_backward)(const double* l, std::ptrdiff_t ld, std::ptrdiff_t rows,
-                         std::ptrdiff_t columns, double* x);
+  void (*solve_backward)(const double* l, std::ptrdiff_t ld, std::ptrdiff_t columns, double* x);
 };
 
 /// Those for this processor.

@@ -13,7 +13,10 @@ constexpr double kLeastDamping = 1e-6;  // below, there is none
 constexpr double kMostDamping = 1e8;    // above, no step helps
 constexpr double kShortestStep = 0.1;   // share of a step that is tried before damping
 constexpr double kSame = 5e-4;          // relative difference of costs near a known minimum
-constexpr double kNoCost = 1e-18;       // per arc: rounding
+constexpr double kNear = 1e-4;  // share of the cost left to win from which steps foretell the next
+constexpr double kFastest = 1e-3;  // that what is left to win is expected to shrink by a step
+constexpr double kTurnedTheSame = 0.995;  // cosine, of about 0.1 rad
+constexpr double kNoCost = 1e-18;         // per arc: rounding
 
 }  // namespace
 
@@ -23,12 +26,24 @@ typename GaussNewton<Motion>::Descent GaussNewton<Motion>::descend(States& state
                                                                    const Limits& limits) {
   Descent descent;
   damping_ = 0.0;
+  last_promise_ = 0.0;
   descent.cost = cost(problem_, states, kernel);
-  while (!descent.converged && descent.iterations < limits.max_iterations &&
-         std::abs(descent.cost - limits.known_minimum) > kSame * descent.cost) {
-    if (!improve(states, kernel, limits, descent)) break;
+  while (!descent.converged && descent.iterations < limits.max_iterations) {
+    descent.known = leads_to_known(limits, states, descent.cost);
+    if (descent.known || !improve(states, kernel, limits, descent)) break;
   }
   return descent;
+}
+
+// Costs as much already, or is turned the same everywhere: positions follow from that.
+template <class Motion>
+bool GaussNewton<Motion>::leads_to_known(const Limits& limits, const States& states,
+                                         double cost) const {
+  if (std::abs(cost - limits.known_minimum) <= kSame * cost) return true;
+  if (limits.known == nullptr) return false;
+  return std::all_of(problem_.pose.begin(), problem_.pose.end(), [&](std::size_t pose) {
+    return Motion::cosine_between(states[pose], (*limits.known)[pose]) > kTurnedTheSame;
+  });
 }
 
 // One linearisation, and the first step from it that improves the cost. False if there is none.
@@ -43,15 +58,28 @@ bool GaussNewton<Motion>::improve(States& states, const Kernel& kernel, const Li
     const double promise = -equations_.g.dot(step_);
     const double rounding = kNoCost * static_cast<double>(problem_.terms.size());
     const bool undamped = damping_ == 0.0 || descent.smallest_pivot == 0.0;
-    descent.converged = undamped && promise <= limits.tolerance * descent.cost + rounding;
-    if (step(states, kernel, descent)) {
+    const double enough = limits.tolerance * descent.cost + rounding;
+    descent.converged = undamped && left_after(promise, descent) <= enough;
+    if (const double share = step(states, kernel, descent); share > 0.0) {
+      descent.converged = descent.converged && (share == 1.0 || promise <= enough);
       damping_ = damping_ > kLeastDamping ? 0.1 * damping_ : 0.0;
       if (damping_ < kLeastDamping) damping_ = 0.0;
       return true;
     }
+    descent.converged = undamped && promise <= enough;
     if (descent.converged) return true;
   }
   return false;
+}
+
+// What is left to win after a step: near the minimum it leaves as small a share of what it
+// promised as it promises of what the last one did.
+template <class Motion>
+double GaussNewton<Motion>::left_after(double promise, const Descent& descent) {
+  const double share = last_promise_ > 0.0 ? promise / last_promise_ : 1.0;
+  last_promise_ = damping_ == 0.0 ? promise : 0.0;
+  if (promise > kNear * descent.cost) return promise;
+  return promise * std::clamp(share, kFastest, 1.0);
 }
 
 template <class Motion>
@@ -67,17 +95,18 @@ bool GaussNewton<Motion>::solve(Descent& descent) {
   return step_.allFinite();
 }
 
+// Which share of the step improved the cost; 0 if none did.
 template <class Motion>
-bool GaussNewton<Motion>::step(States& states, const Kernel& kernel, Descent& descent) {
+double GaussNewton<Motion>::step(States& states, const Kernel& kernel, Descent& descent) {
   for (double share = 1.0; share >= kShortestStep; share *= 0.5) {
     move(states, share, tried_);
     const double tried = cost(problem_, tried_, kernel);
     if (!(tried < descent.cost)) continue;
     descent.cost = tried;
     states.swap(tried_);
-    return true;
+    return share;
   }
-  return false;
+  return 0.0;
 }
 
 template <class Motion>

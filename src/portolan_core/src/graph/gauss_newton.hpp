@@ -18,8 +18,9 @@ class GaussNewton {
 
   struct Limits {
     std::size_t max_iterations = 100;
-    double tolerance = 1e-8;      ///< of the cost, not worth another iteration
-    double known_minimum = -1.0;  ///< stop within 0.05 % of this cost: it leads there too
+    double tolerance = 1e-8;        ///< of the cost, not worth another iteration
+    double known_minimum = -1.0;    ///< stop within 0.05 % of this cost: it leads there too
+    const States* known = nullptr;  ///< and where poses are turned as in this minimum
   };
 
   struct Descent {
@@ -27,6 +28,7 @@ class GaussNewton {
     std::size_t iterations = 0;
     std::size_t factorizations = 0;
     bool converged = false;
+    bool known = false;           ///< stopped on the way to the known minimum
     double smallest_pivot = 1.0;  ///< of the last factor, undamped
   };
 
@@ -39,7 +41,9 @@ class GaussNewton {
  private:
   bool improve(States& states, const Kernel& kernel, const Limits& limits, Descent& descent);
   bool solve(Descent& descent);
-  bool step(States& states, const Kernel& kernel, Descent& descent);
+  double left_after(double promise, const Descent& descent);
+  bool leads_to_known(const Limits& limits, const States& states, double cost) const;
+  double step(States& states, const Kernel& kernel, Descent& descent);
   void move(const States& from, double share, States& to) const;
 
   const Problem<Motion>& problem_;
@@ -48,6 +52,7 @@ class GaussNewton {
   Eigen::VectorXd step_;
   States tried_;
   double damping_ = 0.0;
+  double last_promise_ = 0.0;  // of an undamped step before this one; 0: none
 };
 
 }  // namespace portolan

@@ -59,7 +59,12 @@ std::size_t Graph::add(const Arc& arc) {
   return arcs_.size() - 1;
 }
 
+// Most ids have no gaps: there the place is known.
 std::optional<std::size_t> Graph::find(PoseId id) const {
+  if (poses_.empty() || id < poses_.front().id) return std::nullopt;
+  const std::size_t guess =
+      static_cast<std::size_t>(id) - static_cast<std::size_t>(poses_.front().id);
+  if (guess < poses_.size() && poses_[guess].id == id) return guess;
   const auto place = std::lower_bound(poses_.begin(), poses_.end(), id, has_lower_id);
   if (place == poses_.end() || place->id != id) return std::nullopt;
   return static_cast<std::size_t>(place - poses_.begin());

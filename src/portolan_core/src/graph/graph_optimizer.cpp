@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "graph/doubts.hpp"
 #include "graph/gauss_newton.hpp"
 #include "graph/rotation_start.hpp"
+#include "graph/winding.hpp"
 
 namespace portolan {
 
 namespace {
 
 constexpr double kSame = 1e-3;       // relative difference of costs that counts as the same minimum
-constexpr double kNowhere = -1.0;    // no minimum is known
 constexpr double kSingular = 1e-12;  // pivot, relative
+constexpr double kSigmas = 5.0;      // that a loop's turns may be off, with arcs as they fit
+constexpr std::size_t kMostWindings = 6;
 constexpr double kGraduation = 2.0;  // from one kernel to the next, less convex one
 
 // One optimisation of one graph.
@@ -26,28 +31,29 @@ class Run {
         options_(options),
         tree_(spanning_tree(graph)),
         problem_(graph, tree_),
+        given_(problem_.states(graph)),
         pattern_(Neighbours(static_cast<int>(problem_.pose.size()), problem_.pairs)),
         solver_(problem_, pattern_) {
     kernel_.shape = options.kernel;
     kernel_.width2 = options.kernel_width * options.kernel_width;
-    report_.chi2_before = cost(problem_, problem_.states(graph), Kernel());
+    report_.chi2_before = cost(problem_, given_, Kernel());
   }
 
   // From the best start and then, for a second opinion, from the next best: in `best` always, else
   // where there is something to doubt.
   OptimizerReport run(Graph& graph) {
     std::vector<Start> starts = this->starts();
-    Result best = descend(starts.front(), kNowhere);
+    Result best = descend(starts.front(), nullptr);
     bool disputed = false;
     const bool ask = options_.start == GraphStart::best || !looks_right(best);
     for (std::size_t i = 1; ask && i < starts.size() && (i < 2 || disputed); ++i) {
-      Result other = descend(starts[i], best.descent.cost);
-      const double difference = other.descent.cost - best.descent.cost;
-      if (std::abs(difference) <= kSame * best.descent.cost + rounding()) continue;
+      Result other = descend(starts[i], &best);
+      if (!differs(other, best)) continue;
       disputed = true;
-      if (difference < 0.0) best = std::move(other);
+      if (other.descent.cost < best.descent.cost) best = std::move(other);
     }
-    if (disputed) report_.doubts.insert(Doubt::other_minimum);
+    if (ask) disputed = rewind(best) || disputed;
+    doubt(Doubt::other_minimum, disputed);
     conclude(best, graph);
     return std::move(report_);
   }
@@ -73,14 +79,13 @@ class Run {
       const double its_cost = cost(problem_, states, kernel_);
       all.push_back({kind, std::move(states), its_cost});
     };
-    States given = problem_.states(graph_);
-    States along = given;
+    States along = given_;
     for (const std::size_t pose : tree_.order) follow(pose, along);
-    if (auto states = rotation_start(problem_, pattern_, given)) {
+    if (auto states = rotation_start(problem_, pattern_, given_)) {
       offer(GraphStart::rotations, std::move(*states));
     }
     offer(GraphStart::spanning_tree, std::move(along));
-    offer(GraphStart::as_given, std::move(given));
+    offer(GraphStart::as_given, given_);
     const auto by_cost = [](const Start& a, const Start& b) { return a.cost < b.cost; };
     std::stable_sort(all.begin(), all.end() - 1, by_cost);
     const auto wanted = [&](const Start& start) { return start.kind == options_.start; };
@@ -100,19 +105,56 @@ class Run {
                                     forward ? T_from_to : Motion::inverse(T_from_to));
   }
 
+  // Winds loops the other way whose headings would not mind much, the likeliest first. What is
+  // better then is another minimum; what could not be tried leaves a doubt.
+  bool rewind(Result& best) {
+    bool better = false;
+    std::set<std::size_t> tried;
+    while (const auto other = likeliest_winding(best, tried)) {
+      doubt(Doubt::wound_up, tried.size() == kMostWindings);
+      if (tried.size() == kMostWindings) break;
+      tried.insert(other->term);
+      auto states = rewound(problem_, pattern_, best.states, *other);
+      if (!states) continue;
+      Result result = descend({best.start, std::move(*states), 0.0}, &best);
+      if (!differs(result, best) || best.descent.cost < result.descent.cost) continue;
+      best = std::move(result);
+      better = true;
+    }
+    return better;
+  }
+
+  std::optional<OtherWinding> likeliest_winding(const Result& best,
+                                                const std::set<std::size_t>& tried) const {
+    const auto degrees = static_cast<double>(std::max<std::size_t>(degrees_of_freedom(), 1));
+    const double price = kSigmas * kSigmas * best.descent.cost / degrees;
+    for (const OtherWinding& other : other_windings(problem_, tree_, best.states, price)) {
+      if (tried.count(other.term) == 0) return other;
+    }
+    return std::nullopt;
+  }
+
+  bool differs(const Result& a, const Result& b) const {
+    return !a.descent.known &&
+           std::abs(a.descent.cost - b.descent.cost) > kSame * b.descent.cost + rounding();
+  }
+
   // Graduated kernels begin so convex that every arc counts, and end as they were asked for.
-  Result descend(const Start& start, double known_minimum) {
+  Result descend(const Start& start, const Result* known) {
     Result result{start.kind, start.states, {}};
-    typename GaussNewton<Motion>::Limits limits{options_.max_iterations, options_.tolerance,
-                                                kNowhere};
+    typename GaussNewton<Motion>::Limits limits{options_.max_iterations, options_.tolerance};
     if (kernel_.shape == RobustKernel::geman_mcclure) {
       Kernel kernel = kernel_;
       kernel.convexity = std::max(1.0, largest_residual(result.states) / kernel.width2);
       for (; kernel.convexity > 1.0; kernel.convexity /= kGraduation) {
-        solver_.descend(result.states, kernel, {2, options_.tolerance, kNowhere});
+        solver_.descend(result.states, kernel, {2, options_.tolerance});
       }
     }
-    limits.known_minimum = known_minimum;
+    if (known != nullptr) {
+      limits.known_minimum = known->descent.cost;
+      // With a kernel, positions do not follow from turns.
+      if (kernel_.shape == RobustKernel::none) limits.known = &known->states;
+    }
     result.descent = solver_.descend(result.states, kernel_, limits);
     report_.iterations += result.descent.iterations;
     report_.factorizations += result.descent.factorizations;
@@ -183,6 +225,7 @@ class Run {
   const OptimizerOptions& options_;
   SpanningTree tree_;
   Problem<Motion> problem_;
+  States given_;
   BlockPattern pattern_;
   GaussNewton<Motion> solver_;
   Kernel kernel_;

@@ -53,6 +53,9 @@ struct PlanarMotion {
     return 0.5 * (information(0, 0) + information(1, 1));
   }
 
+  /// Of the angle between two headings.
+  static double cosine_between(const State& a, const State& b) { return a.c * b.c + a.s * b.s; }
+
   static State composed(const State& a, const State& b) {
     return turned(a.t + turn(a) * b.t, a.heading + b.heading);
   }

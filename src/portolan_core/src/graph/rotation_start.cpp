@@ -1,65 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/rotation_start.hpp"
 
-#include <array>
-
-#include "graph/block_cholesky.hpp"
+#include "graph/linear_least_squares.hpp"
 
 namespace portolan {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// Least squares for n x columns unknowns X at each pose: sum of weight |X_to - Z^T X_from - b|^2.
-template <int n, int columns>
-class LinearLeastSquares {
- public:
-  using Block = Eigen::Matrix<double, n, n>;
-  using Unknown = Eigen::Matrix<double, n, columns>;
-
-  template <class Motion>
-  explicit LinearLeastSquares(const Problem<Motion>& problem)
-      : H_(problem.pose.size(), problem.pairs) {
-    right_.fill(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.pose.size()) * n));
-  }
-
-  // `fixed(pose)` is X of a pose that is not free.
-  template <class Term, class Fixed>
-  void add(const Term& term, const std::vector<int>& node, double weight, const Block& Z,
-           const Unknown& b, const Fixed& fixed) {
-    const int from = node[term.from];
-    const int to = node[term.to];
-    if (from >= 0) H_.diagonal[at(from)].diagonal().array() += weight;
-    if (to >= 0) H_.diagonal[at(to)].diagonal().array() += weight;
-    if (term.pair >= 0) {
-      H_.beside[at(term.pair)] -= weight * (term.swapped ? Block(Z.transpose()) : Z);
-    }
-    if (to >= 0) pull(to, weight * (from < 0 ? b + Z.transpose() * fixed(term.from) : b));
-    if (from >= 0) pull(from, weight * (Z * (to < 0 ? fixed(term.to) - b : Unknown(-b))));
-  }
-
-  bool solve(const BlockPattern& pattern) {
-    BlockCholesky<n> cholesky(pattern, H_);
-    if (!cholesky.factor(H_)) return false;
-    for (Eigen::VectorXd& x : right_) cholesky.solve(x);
-    return true;
-  }
-
-  Unknown at_node(int node) const {
-    Unknown x;
-    for (int j = 0; j < columns; ++j) x.col(j) = right_[at(j)].template segment<n>(node * n);
-    return x;
-  }
-
- private:
-  void pull(int node, const Unknown& b) {
-    for (int j = 0; j < columns; ++j) right_[at(j)].template segment<n>(node * n) += b.col(j);
-  }
-
-  BlockMatrix<n> H_;
-  std::array<Eigen::VectorXd, columns> right_;
-};
 
 // X = R^T: R_to = R_from Z.
 template <class Motion>
@@ -83,6 +29,8 @@ bool orient(const Problem<Motion>& problem, const BlockPattern& pattern,
   return true;
 }
 
+}  // namespace
+
 // t_to = t_from + R_from t_measured.
 template <class Motion>
 bool put_in_place(const Problem<Motion>& problem, const BlockPattern& pattern,
@@ -104,8 +52,6 @@ bool put_in_place(const Problem<Motion>& problem, const BlockPattern& pattern,
   return true;
 }
 
-}  // namespace
-
 template <class Motion>
 std::optional<std::vector<typename Motion::State>> rotation_start(
     const Problem<Motion>& problem, const BlockPattern& pattern,
@@ -115,6 +61,10 @@ std::optional<std::vector<typename Motion::State>> rotation_start(
   return states;
 }
 
+template bool put_in_place(const Problem<PlanarMotion>&, const BlockPattern&,
+                           std::vector<PlanarMotion::State>&);
+template bool put_in_place(const Problem<SpatialMotion>&, const BlockPattern&,
+                           std::vector<SpatialMotion::State>&);
 template std::optional<std::vector<PlanarMotion::State>> rotation_start(
     const Problem<PlanarMotion>&, const BlockPattern&, std::vector<PlanarMotion::State>);
 template std::optional<std::vector<SpatialMotion::State>> rotation_start(

@@ -17,4 +17,10 @@ std::optional<std::vector<typename Motion::State>> rotation_start(
     const Problem<Motion>& problem, const BlockPattern& pattern,
     std::vector<typename Motion::State> states);
 
+/// Positions by linear least squares, with orientations as they are. False where arcs leave one
+/// undetermined.
+template <class Motion>
+bool put_in_place(const Problem<Motion>& problem, const BlockPattern& pattern,
+                  std::vector<typename Motion::State>& states);
+
 }  // namespace portolan

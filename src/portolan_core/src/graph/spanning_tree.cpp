@@ -29,7 +29,10 @@ template <class Matrix>
 double trace_of_inverse(Matrix information) {
   information.diagonal().array() += 1.0 / kUnknown;
   const Eigen::LLT<Matrix> factor(information);
-  return factor.info() == Eigen::Success ? factor.solve(Matrix::Identity()).trace() : kUnknown;
+  if (factor.info() != Eigen::Success) return kUnknown;
+  Matrix root = Matrix::Identity();  // of the inverse
+  factor.matrixL().solveInPlace(root);
+  return root.squaredNorm();
 }
 
 double uncertainty(const Arc& arc, GraphSpace space) {

@@ -56,6 +56,12 @@ struct SpatialMotion {
     return information.diagonal().head<3>().mean();
   }
 
+  /// Of the angle of the rotation between two.
+  static double cosine_between(const State& a, const State& b) {
+    const double half = a.q.dot(b.q);
+    return 2.0 * half * half - 1.0;
+  }
+
   static State composed(const State& a, const State& b) {
     return turned(a.t + a.R * b.t, (a.q * b.q).normalized());
   }

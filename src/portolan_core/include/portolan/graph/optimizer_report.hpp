@@ -18,8 +18,8 @@ enum class Doubt {
   disconnected,     ///< parts of the graph that no arc connects
   bad_information,  ///< arcs were left out because their information is none
   poor_fit,         ///< chi-squared far above the degrees of freedom: wrong arcs or wrong minimum
-  wound_up,         ///< turns round a loop end a whole turn off, or an arc is turned by over 90 deg
-  other_minimum,    ///< other starts ended elsewhere
+  wound_up,  ///< turns round a loop end a whole turn off, or may; an arc is turned by over 90 deg
+  other_minimum,  ///< other starts ended elsewhere
 };
 
 constexpr std::array<const char*, 7> enum_names(Doubt) {
