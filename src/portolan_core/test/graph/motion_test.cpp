@@ -70,8 +70,8 @@ class MotionLaws : public ::testing::Test {
       std::mt19937_64 random(seed);
       const double length = seed % 2 == 0 ? 1.0 : 300.0;
       Case any{Motion::any(length, random), Motion::any(length, random), {}};
-      any.T_from_to = seed % 3 == 0 ? Motion::any(length, random)
-                                    : any.T_map_from.inverse() * any.T_map_to;
+      any.T_from_to =
+          seed % 3 == 0 ? Motion::any(length, random) : any.T_map_from.inverse() * any.T_map_to;
       if (seed % 3 == 1) any.T_from_to = any.T_from_to * planar_pose(0.1, -0.2, 0.05);
       if (Eigen::AngleAxisd(any.error().linear()).angle() < M_PI - 0.01) check(any, seed);
     }
