@@ -154,7 +154,7 @@ std::vector<OtherWinding> other_windings(const Problem<SpatialMotion>&, const Sp
 
 std::optional<std::vector<SpatialMotion::State>> rewound(const Problem<SpatialMotion>&,
                                                          const BlockPattern&,
-                                                         std::vector<SpatialMotion::State>,
+                                                         const std::vector<SpatialMotion::State>&,
                                                          const OtherWinding&) {
   return std::nullopt;
 }

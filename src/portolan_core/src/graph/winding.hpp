@@ -42,9 +42,8 @@ std::optional<std::vector<PlanarMotion::State>> rewound(const Problem<PlanarMoti
                                                         const BlockPattern& pattern,
                                                         std::vector<PlanarMotion::State> states,
                                                         const OtherWinding& winding);
-std::optional<std::vector<SpatialMotion::State>> rewound(const Problem<SpatialMotion>& problem,
-                                                         const BlockPattern& pattern,
-                                                         std::vector<SpatialMotion::State> states,
-                                                         const OtherWinding& winding);
+std::optional<std::vector<SpatialMotion::State>> rewound(
+    const Problem<SpatialMotion>& problem, const BlockPattern& pattern,
+    const std::vector<SpatialMotion::State>& states, const OtherWinding& winding);
 
 }  // namespace portolan
