@@ -100,12 +100,13 @@ void Publishers::publish_mounts(Time now, const std::vector<AnySensor>& sensors)
 }
 
 std::string Publishers::unheard(const std::vector<std::string>& topics) const {
+  std::map<std::string, std::uint32_t> wanted;
   for (const std::string& topic : topics) {
     const auto publisher = by_topic_.find(topic);
     if (publisher == by_topic_.end()) {
       throw OptionsError({"wait_for_subscribers = " + topic + " is no topic of this robot"});
     }
-    if (publisher->second.getNumSubscribers() == 0) return topic;
+    if (publisher->second.getNumSubscribers() < ++wanted[topic]) return topic;
   }
   return {};
 }

@@ -31,8 +31,8 @@ class Publishers {
   /// The true map, latched: what a perfect mapper would draw.
   void publish_truth(Time now, const TruthGrid& grid);
 
-  /// The first of these topics that nobody listens to yet; empty where all have listeners. Throws
-  /// OptionsError for a topic that is none of ours.
+  /// The first of these topics that has fewer listeners than times that it is named; empty where
+  /// all are heard. Throws OptionsError for a topic that is none of ours.
   std::string unheard(const std::vector<std::string>& topics) const;
 
  private:

@@ -35,7 +35,7 @@ struct RobotSimOptions {
           "makes /clock; else follows it, as a second robot must");
     visit("stop_at_end", self.stop_at_end, "time stands still half a second after the path's end");
     visit("wait_for_subscribers", self.wait_for_subscribers,
-          "topics that someone must listen to before time begins");
+          "topics that someone must listen to before time begins; as many as it is named times");
     visit("map_frame", self.map_frame, "of ground_truth");
     visit("odom_frame", self.odom_frame, "of odom");
     visit("base_frame", self.base_frame, "of the robot");

@@ -65,7 +65,7 @@ class MapsFollow(case.NodeCase):
     def drive(self, counts):
         self.closing(Node(self.namespace, program="robot_sim", until_ready=False, parameters={
             **loop_drive.robot(), "world_file": str(self.world), "real_time_factor": 8.0,
-            "wait_for_subscribers": list(TOPICS)}))
+            "wait_for_subscribers": [*TOPICS, "scan"]}))  # the grid and the pose graph
         heard = [(self.graph, "scans", counts["scan"])]
         heard += [(self.nodes[node], noun, counts[topic]) for topic, (node, noun) in TOPICS.items()]
         for node, noun, count in heard:

@@ -42,6 +42,8 @@ Marker marker(const Style& style, std::int32_t type, double width, const std::st
   marker.header.frame_id = map_frame;
   marker.ns = style.name;
   marker.type = type;
+  constexpr double kAboveTheMap = 0.05;  // [m]: in one plane with it, rviz would draw either
+  marker.pose.position.z = kAboveTheMap;
   marker.pose.orientation.w = 1.0;
   marker.scale.x = marker.scale.y = marker.scale.z = width;
   marker.color.r = style.red;
@@ -107,14 +109,14 @@ nav_msgs::Path path(const Graph& graph, const std::string& map_frame) {
 visualization_msgs::MarkerArray graph_markers(const Graph& graph, const std::string& map_frame) {
   visualization_msgs::MarkerArray all;
   for (const Style& style : kStyles) {
-    all.markers.push_back(marker(style, Marker::LINE_LIST, 0.03, map_frame));
+    all.markers.push_back(marker(style, Marker::LINE_LIST, 0.05, map_frame));
   }
   for (const Arc& arc : graph.arcs()) {
     Marker& lines = all.markers[style_of(arc)];
     lines.points.push_back(point(graph.at(arc.from).T_map_pose));
     lines.points.push_back(point(graph.at(arc.to).T_map_pose));
   }
-  Marker dots = marker({"keyframes", 0.1F, 0.1F, 0.1F}, Marker::POINTS, 0.06, map_frame);
+  Marker dots = marker({"keyframes", 0.1F, 0.1F, 0.1F}, Marker::POINTS, 0.1, map_frame);
   for (const GraphPose& from : graph.poses()) dots.points.push_back(point(from.T_map_pose));
   all.markers.push_back(dots);
   for (Marker& one : all.markers) {
