@@ -74,6 +74,32 @@ Directions depth_camera() {
   return directions;
 }
 
+constexpr double kPeriod = 40.0;  // after which the street looks the same [m]
+
+/// As much of the street as is seen from its middle period, x from 0 to kPeriod.
+BoxWorld street() {
+  BoxWorld world{box(-kPeriod, 0, 0, 2.0 * kPeriod, 20, 9), {}};
+  for (int i = -4; i < 8; ++i) {
+    const double x = 10.0 * i + 5.0;
+    const double y = 2.0 + 16.0 * (i & 1) + 0.3 * (i & 3);
+    world.boxes.push_back(box(x, y, 0, x + 0.6, y + 0.6, 9));
+  }
+  return world;
+}
+
+/// What is seen from a pose in a world, with a noise of 1 cm.
+PointCloud seen(const OctoScene& scene, const Pose& T_world_sensor, int seed) {
+  std::mt19937_64 random(static_cast<unsigned>(seed));
+  std::normal_distribution<double> noise(0.0, 0.01);
+  PointCloud cloud;
+  for (const Eigen::Vector3d& direction : scene.directions) {
+    const double range =
+        scene.world.cast(T_world_sensor.translation(), T_world_sensor.linear() * direction);
+    cloud.points.emplace_back((direction * (range + noise(random))).cast<float>());
+  }
+  return cloud;
+}
+
 /// A walk through the middle of the building, turning.
 Pose pose(const OctoScene& scene, int i) {
   const double length = scene.world.inside.sizes().x() - 3.0;
@@ -108,15 +134,20 @@ std::vector<OctoScene> octo_scenes() {
 }
 
 PosedCloud octo_cloud(const OctoScene& scene, int i) {
-  std::mt19937_64 random(static_cast<unsigned>(i));
-  std::normal_distribution<double> noise(0.0, 0.01);
-  PosedCloud view{{}, pose(scene, i)};
-  for (const Eigen::Vector3d& direction : scene.directions) {
-    const double range =
-        scene.world.cast(view.T_map_sensor.translation(), view.T_map_sensor.linear() * direction);
-    view.cloud.points.emplace_back((direction * (range + noise(random))).cast<float>());
-  }
-  return view;
+  const Pose T_map_sensor = pose(scene, i);
+  return {seen(scene, T_map_sensor, i), T_map_sensor};
+}
+
+OctoScene street_scene() { return {"vlp16_street_0.20m", street(), vlp16(), 0.2, 30.0, 2.0}; }
+
+PosedCloud street_cloud(const OctoScene& scene, int i) {
+  const double way = scene.spacing * i;
+  const double periods = std::floor(way / kPeriod);
+  const Eigen::Vector3d p(way - kPeriod * periods, 10.0 + 2.0 * std::sin(0.05 * way), 1.8);
+  const Pose T_world_sensor = Eigen::Translation3d(p) *
+                              Eigen::AngleAxisd(0.2 * std::sin(0.1 * i), Eigen::Vector3d::UnitZ());
+  return {seen(scene, T_world_sensor, i),
+          Eigen::Translation3d(kPeriod * periods, 0.0, 0.0) * T_world_sensor};
 }
 
 }  // namespace portolan::bench

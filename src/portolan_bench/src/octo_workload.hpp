@@ -41,6 +41,13 @@ struct PosedCloud {
 /// A VLP-16 (30,000 points) in rooms and in halls, and a depth camera (307,200) in rooms.
 std::vector<OctoScene> octo_scenes();
 
+/// A VLP-16 in a street of 20 m, which goes on for ever, with a pillar every 10 m; 2 m from cloud
+/// to cloud.
+OctoScene street_scene();
+
+/// The i-th cloud of the way along the street.
+PosedCloud street_cloud(const OctoScene& scene, int i);
+
 /// The i-th cloud of the way, with a noise of 1 cm; always the same.
 PosedCloud octo_cloud(const OctoScene& scene, int i);
 
