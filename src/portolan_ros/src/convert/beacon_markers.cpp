@@ -43,7 +43,7 @@ Marker label(const portolan_msgs::BeaconMap& map, const portolan_msgs::Beacon& b
   text.pose.position = beacon.modes.front().position;
   text.pose.position.z += 0.5;
   text.scale.z = 0.4;
-  text.color = colour(beacon, 1.0F);
+  text.color.a = 1.0F;  // black: readable on its own ellipsoid
   text.text = std::to_string(beacon.id) + (beacon.ambiguous ? "?" : "");
   return text;
 }
