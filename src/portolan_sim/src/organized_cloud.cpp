@@ -12,13 +12,10 @@ void measure_next(const Eigen::Vector3d& direction, const World& world, const Po
   const std::optional<Hit> hit = world.cast(ray, Wave::light, noise.range_max);
   const double range =
       noise.measure(hit ? hit->range : std::numeric_limits<double>::infinity(), random);
-  if (std::isfinite(range)) {
-    organized.cloud.points.emplace_back((range * direction).cast<float>());
-    return;
+  organized.cloud.points.emplace_back((range * direction).cast<float>());
+  if (std::isinf(range) && range > 0.0) {
+    organized.cloud.no_returns.emplace_back(direction.cast<float>());
   }
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  organized.cloud.points.emplace_back(kNan, kNan, kNan);
-  if (range > 0.0) organized.cloud.no_returns.emplace_back(direction.cast<float>());
 }
 
 }  // namespace portolan::sim

@@ -30,7 +30,7 @@ void expect_points_on_room(const OrganizedCloud& organized, const Pose& T_map_se
   ASSERT_EQ(organized.cloud.points.size(), std::size_t{organized.width} * organized.height);
   std::size_t missing = 0;
   for (const Eigen::Vector3f& point : organized.cloud.points) {
-    if (std::isnan(point.x())) {
+    if (!point.allFinite()) {
       ++missing;
     } else {
       const Eigen::Vector3d p_map = T_map_sensor * point.cast<double>();

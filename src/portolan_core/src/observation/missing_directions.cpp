@@ -52,8 +52,24 @@ class LineFit {
   double yy_ = 0.0;
 };
 
+/// Files the direction of a place under what it holds instead of a point.
+void add(const Eigen::Vector3f& place, const Eigen::Vector3f& direction, MissingDirections& all) {
+  int axis = -1;  // of those along which it lies at infinity, the one that tells the side best
+  for (int i = 0; i < 3; ++i) {
+    if (std::isinf(place[i]) && (axis < 0 || std::abs(direction[i]) > std::abs(direction[axis]))) {
+      axis = i;
+    }
+  }
+  if (axis < 0) {
+    all.unknown.push_back(direction);
+  } else if (place[axis] * direction[axis] > 0.0F) {
+    all.nothing_returned.push_back(direction);
+  }
+}
+
 /// The missing places' directions for a camera that looks along an axis (0: x, 2: z).
-std::optional<Points> seen_by_camera(const Points& points, std::size_t width, int forward) {
+std::optional<MissingDirections> seen_by_camera(const Points& points, std::size_t width,
+                                                int forward) {
   const int across = (forward + 1) % 3;
   const int down = (forward + 2) % 3;
   LineFit columns;
@@ -69,7 +85,7 @@ std::optional<Points> seen_by_camera(const Points& points, std::size_t width, in
   const auto x = columns.line();
   const auto y = rows.line();
   if (!x || !y) return std::nullopt;
-  Points directions;
+  MissingDirections directions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].allFinite()) continue;
     const std::size_t row = i / width;
@@ -77,7 +93,7 @@ std::optional<Points> seen_by_camera(const Points& points, std::size_t width, in
     ray[forward] = 1.0;
     ray[across] = (*x)(static_cast<double>(i % width));
     ray[down] = (*y)(static_cast<double>(row));
-    directions.emplace_back(ray.normalized().cast<float>());
+    add(points[i], ray.normalized().cast<float>(), directions);
   }
   return directions;
 }
@@ -131,8 +147,8 @@ std::optional<Ring> ring(const Points& points, std::size_t begin, std::size_t wi
   return Ring{std::atan2(sum.y(), sum.x()), mean};
 }
 
-Points seen_by_laser(const Points& points, std::size_t width) {
-  Points directions;
+MissingDirections seen_by_laser(const Points& points, std::size_t width) {
+  MissingDirections directions;
   const std::optional<double> turn = turn_per_place(points, width);
   if (!turn || *turn == 0.0) return directions;
   for (std::size_t begin = 0; begin + width <= points.size(); begin += width) {
@@ -142,9 +158,8 @@ Points seen_by_laser(const Points& points, std::size_t width) {
       if (points[begin + i].allFinite()) continue;
       const double a = on->first + *turn * static_cast<double>(i);
       const double e = on->elevation;
-      directions.emplace_back(static_cast<float>(std::cos(e) * std::cos(a)),
-                              static_cast<float>(std::cos(e) * std::sin(a)),
-                              static_cast<float>(std::sin(e)));
+      const Eigen::Vector3d ray(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
+      add(points[begin + i], ray.cast<float>(), directions);
     }
   }
   return directions;
@@ -152,8 +167,8 @@ Points seen_by_laser(const Points& points, std::size_t width) {
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> missing_directions(const std::vector<Eigen::Vector3f>& points,
-                                                std::size_t width) {
+MissingDirections missing_directions(const std::vector<Eigen::Vector3f>& points,
+                                     std::size_t width) {
   const auto returned = static_cast<std::size_t>(std::count_if(
       points.begin(), points.end(), [](const Eigen::Vector3f& p) { return p.allFinite(); }));
   if (width < 2 || points.size() < 2 * width || returned < kFewest || returned == points.size()) {

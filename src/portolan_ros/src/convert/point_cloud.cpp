@@ -103,13 +103,18 @@ std::optional<Sensed<PointCloud>> point_cloud(const PointCloud2& message) {
   return sensed;
 }
 
-std::optional<Sensed<PointCloud>> organized_cloud(const PointCloud2& message) {
+std::optional<Sensed<OrganizedCloud>> organized_cloud(const PointCloud2& message) {
   auto sensed = all_points(message);
-  if (!sensed) return sensed;
-  if (message.height > 1)
-    sensed->z.no_returns = missing_directions(sensed->z.points, message.width);
-  drop_not_finite(sensed->z.points);
-  return sensed;
+  if (!sensed) return std::nullopt;
+  OrganizedCloud organized;
+  if (message.height > 1) {
+    MissingDirections missing = missing_directions(sensed->z.points, message.width);
+    organized.cloud.no_returns = std::move(missing.nothing_returned);
+    organized.unknown = std::move(missing.unknown);
+  }
+  organized.cloud.points = std::move(sensed->z.points);
+  drop_not_finite(organized.cloud.points);
+  return Sensed<OrganizedCloud>{sensed->frame, sensed->first, sensed->last, std::move(organized)};
 }
 
 }  // namespace portolan::ros_convert

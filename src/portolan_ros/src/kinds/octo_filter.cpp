@@ -29,22 +29,29 @@ OctoFilter::OctoFilter(const Options& options, const PipelineOptions& pipeline,
   options_.pointcloud_frame = ros_convert::without_slash(options_.pointcloud_frame);
 }
 
-std::vector<std::string> OctoFilter::references(const PointCloud& /*cloud*/) const {
+std::vector<std::string> OctoFilter::references(
+    const ros_convert::OrganizedCloud& /*cloud*/) const {
   std::vector<std::string> frames;
   if (!passes_all_) frames.push_back(options_.pointcloud_frame);
   if (options_.filter_ground) frames.push_back(base_frame_);
   return frames;
 }
 
-OctoMapper::Observation OctoFilter::operator()(PointCloud cloud,
+OctoMapper::Observation OctoFilter::operator()(ros_convert::OrganizedCloud organized,
                                                const PosedInput::SensorPose& pose) const {
+  PointCloud& cloud = organized.cloud;
   const std::vector<Pose>& T_reference_sensor = pose.T_reference_sensor;
-  if (no_return_ == NoReturn::ignore) cloud.no_returns = {};  // the log need not keep them
+  if (no_return_ == NoReturn::ignore) {
+    cloud.no_returns = {};  // the log need not keep them
+  } else if (options_.nan_points == NanPoint::nothing_returned) {
+    cloud.no_returns.insert(cloud.no_returns.end(), organized.unknown.begin(),
+                            organized.unknown.end());
+  }
   if (!passes_all_) {
     cloud = pass_through(std::move(cloud), T_reference_sensor.front(), options_.box);
   }
   cloud = thinned(std::move(cloud), cell_, reach_);
-  if (!options_.filter_ground) return cloud;
+  if (!options_.filter_ground) return std::move(cloud);
   return split_ground(cloud, T_reference_sensor.back(), options_.ground_filter);
 }
 

@@ -183,13 +183,23 @@ TEST(OrganizedCloudMessage, SaysWhereNothingCameBack) {
       rows[static_cast<std::size_t>(row)].emplace_back(0.2 * column - 0.5, 0.2 * row - 0.4, 1.0);
     }
   }
-  const Eigen::Vector3d missing = rows[2][3];
-  rows[2][3] = {nan, nan, nan};
+  const auto as_direction = [](const Eigen::Vector3d& p) -> Eigen::Vector3f {
+    return p.normalized().cast<float>();
+  };
+  const Eigen::Vector3f silent = as_direction(rows[2][3]);
+  const Eigen::Vector3f failed = as_direction(rows[1][4]);
+  const double inf = std::numeric_limits<double>::infinity();
+  rows[2][3] = {inf, nan, inf};  // depth_image_proc multiplies the depth, in the middle row by 0
+  rows[1][4] = {nan, nan, nan};
+  rows[1][1] = {inf, inf, -inf};  // too near
   const auto sensed = organized_cloud(message_of(rows, {}));
   ASSERT_TRUE(sensed);
-  EXPECT_EQ(sensed->z.points.size(), 29u);
-  ASSERT_EQ(sensed->z.no_returns.size(), 1u);
-  EXPECT_TRUE(sensed->z.no_returns[0].isApprox(missing.normalized().cast<float>(), 1e-5F));
+  const PointCloud& cloud = sensed->z.cloud;
+  EXPECT_EQ(cloud.points.size(), 27u);
+  ASSERT_EQ(cloud.no_returns.size(), 1u);
+  EXPECT_TRUE(cloud.no_returns[0].isApprox(silent, 1e-5F));
+  ASSERT_EQ(sensed->z.unknown.size(), 1u);
+  EXPECT_TRUE(sensed->z.unknown[0].isApprox(failed, 1e-5F));
   EXPECT_TRUE(point_cloud(message_of(rows, {}))->z.no_returns.empty());
   EXPECT_FALSE(organized_cloud(PointCloud2()));
 }

@@ -4,6 +4,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <optional>
+#include <vector>
 
 #include "portolan/observation/point_cloud.hpp"
 #include "portolan_ros/sensed.hpp"
@@ -15,9 +16,14 @@ namespace portolan::ros_convert {
 /// the message states do not fit its data.
 std::optional<Sensed<PointCloud>> point_cloud(const sensor_msgs::PointCloud2& message);
 
-/// The same, and for a cloud in rows and columns the directions from which nothing came back: those
-/// of the places that hold no finite point. See `missing_directions`. A place that saw something
-/// too near holds no point either, and no message tells it from one that saw nothing.
-std::optional<Sensed<PointCloud>> organized_cloud(const sensor_msgs::PointCloud2& message);
+/// A cloud and, where it has rows and columns, the directions in which it holds no point.
+struct OrganizedCloud {
+  PointCloud cloud;                      ///< its `no_returns` are the places at +Inf
+  std::vector<Eigen::Vector3f> unknown;  ///< the places that hold NaN
+};
+
+/// The same, and for a cloud in rows and columns the directions of the places that hold no finite
+/// point. See `missing_directions`.
+std::optional<Sensed<OrganizedCloud>> organized_cloud(const sensor_msgs::PointCloud2& message);
 
 }  // namespace portolan::ros_convert

@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "portolan/octo/cloud_filter.hpp"
 #include "portolan/octo/ground_filter.hpp"
 #include "portolan/octo/octo_mapper.hpp"
+#include "portolan_ros/convert/point_cloud.hpp"
 #include "portolan_ros/node_options.hpp"
 
 namespace portolan {
+
+/// What a place of an organised cloud that holds NaN says.
+enum class NanPoint {
+  unknown,           ///< nothing, as REP 117 and 118 have it
+  nothing_returned,  ///< nothing stood within reach, as drivers of many lidars mean it
+};
+
+constexpr std::array<const char*, 2> enum_names(NanPoint) {
+  return {"unknown", "nothing_returned"};
+}
 
 /// What of a cloud enters the 3D map; names of octomap_server.
 struct OctoFilterOptions {
   std::string pointcloud_frame;
   PassThrough box;
+  NanPoint nan_points = NanPoint::unknown;
   bool thin_points = false;
   bool filter_ground = false;
   GroundFilter ground_filter;
@@ -30,6 +43,10 @@ struct OctoFilterOptions {
     visit("pointcloud_max_y", self.box.max_y, "points to the left of this are dropped [m]");
     visit("pointcloud_min_z", self.box.min_z, "points below this are dropped [m]");
     visit("pointcloud_max_z", self.box.max_z, "points above this are dropped [m]");
+    visit(
+        "nan_points", self.nan_points,
+        "what NaN in an organised cloud says; unknown: depth cameras mean too near by it as well. "
+        "+Inf always says that nothing returned. Counts with no_return = clear");
     visit("thin_points", self.thin_points,
           "keep one point of a cloud in each cube of the map's resolution: less time and log");
     visit("filter_ground", self.filter_ground,
@@ -50,11 +67,12 @@ class OctoFilter {
              const OctoMapper::Options& mapper);
 
   /// The frames in which the sensor must be posed.
-  std::vector<std::string> references(const PointCloud& cloud) const;
+  std::vector<std::string> references(const ros_convert::OrganizedCloud& cloud) const;
   std::vector<std::string> references(const RangeScan& /*scan*/) const { return {}; }
 
   /// What enters of a cloud that was seen from there. Scans enter as they are.
-  OctoMapper::Observation operator()(PointCloud cloud, const PosedInput::SensorPose& pose) const;
+  OctoMapper::Observation operator()(ros_convert::OrganizedCloud organized,
+                                     const PosedInput::SensorPose& pose) const;
   OctoMapper::Observation operator()(RangeScan scan, const PosedInput::SensorPose& /*pose*/) const {
     return scan;
   }

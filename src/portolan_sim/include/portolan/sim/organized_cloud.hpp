@@ -10,8 +10,8 @@
 
 namespace portolan::sim {
 
-/// A cloud in rows and columns; a place without return holds NaN, and its direction stands among
-/// the cloud's `no_returns`.
+/// A cloud in rows and columns. A place without return holds infinity along its ray, and its
+/// direction stands among the cloud's `no_returns`.
 struct OrganizedCloud {
   PointCloud cloud;
   std::uint32_t width = 0;   ///< columns
@@ -19,7 +19,7 @@ struct OrganizedCloud {
 };
 
 /// Measures along the ray of the cloud's next place, a unit vector in the sensor's frame. What is
-/// too close leaves NaN and says nothing more.
+/// too close leaves infinity against the ray, a failed reading NaN.
 void measure_next(const Eigen::Vector3d& direction, const World& world, const Pose& T_map_sensor,
                   const RangeNoise& noise, Random& random, OrganizedCloud& organized);
 
