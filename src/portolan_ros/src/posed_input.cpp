@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "portolan_ros/convert/basics.hpp"
@@ -63,6 +64,7 @@ PosedInput::PosedInput(const PosedInputOptions& options)
 
 std::size_t PosedInput::add_input(std::string noun) {
   tallies_.emplace_back(std::move(noun));
+  order_.add_input();
   return tallies_.size() - 1;
 }
 
@@ -82,9 +84,13 @@ void PosedInput::receive(std::size_t input, Message message, Time now) {
   message.frame = ros_convert::without_slash(message.frame);
   if (message.first == Time{}) return tally.drop(Drop::no_stamp);
   if (is_repeated(input, message)) return tally.drop(Drop::repeated_stamp);
-  const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), message.first,
-                                      [](Time t, const Waiting& w) { return t < w.message.first; });
-  waiting_.insert(place, Waiting{input, std::move(message), now});
+  order_.note(input, message.first);
+  const auto order = [](const Waiting& w) { return std::make_pair(w.message.first, w.input); };
+  Waiting waiting{input, std::move(message), now};
+  const auto place =
+      std::upper_bound(waiting_.begin(), waiting_.end(), waiting,
+                       [&](const Waiting& a, const Waiting& b) { return order(a) < order(b); });
+  waiting_.insert(place, std::move(waiting));
   poll(now);
   make_room();
 }
@@ -134,11 +140,21 @@ void PosedInput::receive_odometry(const nav_msgs::Odometry& message, const std::
 
 void PosedInput::poll(Time now) {
   if (waiting_.empty()) return;
-  std::deque<Waiting> still_waiting;
   for (Waiting& waiting : waiting_) {
     if (waiting.since == Time{}) waiting.since = now;  // it came before the first tick of /clock
-    if (try_to_use(waiting)) continue;
-    if (now - waiting.since > seconds(options_.tf_wait)) {
+  }
+  const auto is_in_turn = [&](const Waiting& w) {
+    return now - w.since >= seconds(options_.order_wait) ||
+           order_.is_in_turn(w.input, w.message.first);
+  };
+  // Where one is in turn, so are all before it.
+  const auto last_in_turn = std::find_if(waiting_.rbegin(), waiting_.rend(), is_in_turn);
+  auto turns = std::distance(last_in_turn, waiting_.rend());
+  std::deque<Waiting> still_waiting;
+  for (Waiting& waiting : waiting_) {
+    const bool has_turn = turns-- > 0;
+    if (has_turn && try_to_use(waiting)) continue;
+    if (has_turn && now - waiting.since > seconds(options_.tf_wait)) {
       tallies_[waiting.input].drop(Drop::no_transform, why_not(waiting.message));
     } else {
       still_waiting.push_back(std::move(waiting));
@@ -155,6 +171,7 @@ void PosedInput::clear() {
   for (const Waiting& waiting : waiting_) tallies_[waiting.input].drop(Drop::time_ran_back);
   waiting_.clear();
   seen_.clear();
+  order_.clear();
   leap_guards_.clear();
   doubtful_.clear();
 }

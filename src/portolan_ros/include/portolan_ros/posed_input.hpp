@@ -21,6 +21,7 @@
 #include "portolan/pose.hpp"
 #include "portolan/time.hpp"
 #include "portolan_ros/health.hpp"
+#include "portolan_ros/input_order.hpp"
 #include "portolan_ros/leap_guard.hpp"
 #include "portolan_ros/odometry_covariances.hpp"
 
@@ -30,6 +31,7 @@ namespace portolan {
 struct PosedInputOptions {
   std::string odom_frame = "odom";
   double tf_wait = 1.0;
+  double order_wait = 0.0;
   double tf_buffer = 30.0;
   int queue_size = 200;
 
@@ -40,6 +42,8 @@ struct PosedInputOptions {
           "localiser of its own");
     visit("tf_wait", self.tf_wait, "how long a message waits for its transform [s]",
           within(0.0, 60.0));
+    visit("order_wait", self.order_wait,
+          "how long a message waits for those of other topics before it [s]", within(0.0, 1.0));
     visit("tf_buffer", self.tf_buffer, "how much of tf is remembered [s]", within(1.0, 3600.0));
     visit("queue_size", self.queue_size, "messages that may wait for their transform",
           within(1, 100000));
@@ -85,7 +89,7 @@ class PosedInput {
   /// A message that was used and needs no pose.
   void receive_unposed(std::size_t input);
 
-  /// A message: it is used at once where tf is there, else by `poll`, later.
+  /// A message: used at once where tf is there and it is its turn, else by `poll`, later.
   void receive(std::size_t input, Message message, Time now);
 
   /// Takes transforms. Malformed and repeated ones, moving ones without a stamp, and stamps over
@@ -98,7 +102,7 @@ class PosedInput {
   /// uncertainty. Empty frames are filled in.
   void receive_odometry(const nav_msgs::Odometry& message, const std::string& base_frame, Time now);
 
-  /// Uses what can be posed now, oldest first, and drops what has waited too long.
+  /// Uses what can be posed now, by stamp, then by input, and drops what has waited too long.
   void poll(Time now);
 
   /// True once after stamps of transforms ran back.
@@ -137,7 +141,8 @@ class PosedInput {
   std::vector<Tally> tallies_;
   // Stamps and parts by input and frame.
   std::map<std::pair<std::size_t, std::string>, std::set<std::pair<Time, std::uint64_t>>> seen_;
-  std::deque<Waiting> waiting_;  // by stamp, then by arrival
+  std::deque<Waiting> waiting_;  // by stamp, then by input, then by arrival
+  InputOrder order_;
   std::size_t bad_transforms_ = 0;
 };
 
