@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// draw_graph IN.g2o FOLDER: a pose graph in two pictures, NAME_tree.png with the coordinates of its
-// spanning tree (Figure 5a of the chapter) and NAME_consistent.png with those that contradict the
-// arcs least.
+// draw_graph IN.g2o FOLDER: the accepted arcs of a pose graph in two pictures, NAME_tree.png with
+// the coordinates of its spanning tree (Figure 5a of the chapter) and NAME_consistent.png with those
+// that contradict the arcs least.
 #include <filesystem>
 #include <stdexcept>
 
@@ -11,11 +11,24 @@
 #include "portolan_ros/graph/graph_picture.hpp"
 #include "portolan_ros/report.hpp"
 
+namespace {
+
+portolan::Graph accepted_of(const portolan::Graph& graph) {
+  portolan::Graph accepted(graph.space());
+  for (const portolan::GraphPose& pose : graph.poses()) accepted.add(pose);
+  for (const portolan::Arc& arc : graph.arcs()) {
+    if (arc.state == portolan::ArcState::accepted) accepted.add(arc);
+  }
+  return accepted;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) try {
   if (argc != 3) throw std::invalid_argument("usage: draw_graph IN.g2o FOLDER");
   const std::filesystem::path in = argv[1];
   const std::string name = in.stem();
-  portolan::Graph graph = portolan::load_graph(in);
+  portolan::Graph graph = accepted_of(portolan::load_graph(in));
   if (graph.poses().empty()) throw std::runtime_error(in.string() + ": no poses");
   portolan::place_along(portolan::spanning_tree(graph), graph);
   portolan::FileSet pictures;
