@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // draw_graph IN.g2o FOLDER: the accepted arcs of a pose graph in two pictures, NAME_tree.png with
-// the coordinates of its spanning tree (Figure 5a of the chapter) and NAME_consistent.png with those
-// that contradict the arcs least.
+// the coordinates of its spanning tree (Figure 5a of the chapter) and NAME_consistent.png with
+// those that contradict the arcs least.
 #include <filesystem>
 #include <stdexcept>
 
