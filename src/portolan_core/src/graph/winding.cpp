@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/winding.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -46,13 +47,22 @@ std::vector<double> added_up(const SpanningTree& tree, const Problem<PlanarMotio
   return sum;
 }
 
-// The last entry of the inverse; where there is none, as if the position were known.
+// The last entry of the inverse, or of the pseudoinverse where the arc leaves a direction open: to
+// turn along with what is open, the pose would have to move on and on.
 double variance_of_turn(const Term& term) {
   const Eigen::Matrix3d& m = term.information;
   const double position = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
   const double left = m.determinant();
-  if (left > 0.0 && position > 0.0) return position / left;
-  return m(2, 2) > 0.0 ? 1.0 / m(2, 2) : kUnknown;
+  constexpr double kSingular = 1e-9;
+  if (left > kSingular * m(0, 0) * m(1, 1) * m(2, 2)) return position / left;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions(m);
+  double variance = m(2, 2) > 0.0 ? 0.0 : kUnknown;
+  for (int k = 0; k < 3; ++k) {
+    const double known = directions.eigenvalues()[k];
+    const double turn = directions.eigenvectors()(2, k);
+    if (known > kSingular * directions.eigenvalues()[2]) variance += turn * turn / known;
+  }
+  return variance;
 }
 
 // The way up the tree to where two poses' ways from the root part.

@@ -3,6 +3,7 @@
 // is not the best must never come without a doubt.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -80,6 +81,29 @@ TEST(HardGraphs, are_solved_where_arcs_are_surer_than_they_say) {
   GraphNoise noise;
   noise.boast = 0.01;
   expect_right_without_doubt(noise);
+}
+
+// As walls of a corridor hold a scan: not along a direction that is no axis.
+TangentMatrix open_along(double angle, const TangentMatrix& information) {
+  const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
+  TangentMatrix open = TangentMatrix::Zero();
+  open.topLeftCorner<2, 2>() = information(0, 0) * across * across.transpose();
+  open(5, 5) = information(5, 5);
+  return open;
+}
+
+TEST(HardGraphs, are_not_doubted_for_loops_that_leave_a_direction_open) {
+  const GraphWalk walk = testing::streets(300, 5, GraphNoise{});
+  const Graph whole = walk.graph();
+  Graph graph(whole.space());
+  for (const GraphPose& pose : whole.poses()) graph.add(pose);
+  double angle = 0.1;
+  for (Arc arc : whole.arcs()) {
+    if (arc.kind == ArcKind::loop) arc.information = open_along(angle += 0.37, arc.information);
+    graph.add(arc);
+  }
+  const OptimizerReport report = GraphOptimizer().optimize(graph);
+  EXPECT_TRUE(report.doubts.empty()) << to_string(report.doubts);
 }
 
 TEST(HardGraphs, are_doubted_where_arcs_are_less_sure_than_they_say) {
