@@ -83,13 +83,22 @@ TEST(HardGraphs, are_solved_where_arcs_are_surer_than_they_say) {
   expect_right_without_doubt(noise);
 }
 
-// As walls of a corridor hold a scan: not along a direction that is no axis.
+// As walls of a bent corridor hold a scan: not along it, where it turns as it moves.
 TangentMatrix open_along(double angle, const TangentMatrix& information) {
-  const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
-  TangentMatrix open = TangentMatrix::Zero();
-  open.topLeftCorner<2, 2>() = information(0, 0) * across * across.transpose();
-  open(5, 5) = information(5, 5);
-  return open;
+  const Eigen::Vector3d deviation(std::sqrt(1.0 / information(0, 0)),
+                                  std::sqrt(1.0 / information(1, 1)),
+                                  std::sqrt(1.0 / information(5, 5)));
+  const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0.02);
+  const Eigen::Vector3d open = along.cwiseQuotient(deviation).normalized();
+  const Eigen::Matrix3d held = Eigen::Matrix3d::Identity() - open * open.transpose();
+  const Eigen::Matrix3d m =
+      deviation.cwiseInverse().asDiagonal() * held * deviation.cwiseInverse().asDiagonal();
+  TangentMatrix result = TangentMatrix::Zero();
+  const int axes[] = {0, 1, 5};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) result(axes[i], axes[j]) = m(i, j);
+  }
+  return result;
 }
 
 TEST(HardGraphs, are_not_doubted_for_loops_that_leave_a_direction_open) {
