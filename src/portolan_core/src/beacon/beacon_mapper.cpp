@@ -39,8 +39,8 @@ BeaconMapper::BeaconMapper(const Options& options)
 
 Outcome BeaconMapper::insert(const BeaconRanges& z, const Pose& T_map_sensor) {
   const Eigen::Vector3d p_map = antenna(T_map_sensor, options_);
-  if (is_usable(z)) move_to(p_map);  // what is not enters no log
   bool took_any = z.ranges.empty();
+  if (took_any) move_to(p_map);
   for (const BeaconRange& range : z.ranges) took_any |= take(range, p_map);
   if (took_any) return Outcome::inserted;
   return is_usable(z) ? Outcome::rejected : Outcome::unusable;
@@ -63,6 +63,7 @@ bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
     if (tracks_.size() == options_.max_beacons) return ++counts_.refused, false;
     track = tracks_.emplace(z.id, BeaconTrack{}).first;
   }
+  move_to(p_map);  // not before: what is rejected enters no log, and leaves no trace here
   const double stated = z.stddev > 0.0 ? z.stddev : options_.stddev;
   const PosedRange range{p_map, z.range, noise_ * stated, travel_};
   const CalibrationFactor others = evidence_ - track->second.contribution();

@@ -61,11 +61,11 @@ class GraphForms : public ::testing::TestWithParam<GraphSpace> {
     RandomGraph made;
     made.space = GetParam();
     made.noise = 0.5;
-    graph_ = made.walk(random).graph;
-    lines_ = lines_of(to_g2o(graph_));
-    lines_.erase(std::remove_if(lines_.begin(), lines_.end(),
-                                [](const Words& words) { return words[0] == "#"; }),
-                 lines_.end());
+    graph = made.walk(random).graph;
+    lines = lines_of(to_g2o(graph));
+    lines.erase(std::remove_if(lines.begin(), lines.end(),
+                               [](const Words& words) { return words[0] == "#"; }),
+                lines.end());
   }
 
   // Optimised, it must fit and lie as the plain one does.
@@ -86,60 +86,60 @@ class GraphForms : public ::testing::TestWithParam<GraphSpace> {
 
   bool planar() const { return GetParam() == GraphSpace::planar; }
 
-  Graph graph_;
-  Lines lines_;
+  Graph graph;
+  Lines lines;
 };
 
 TEST_P(GraphForms, may_come_in_any_order) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    Lines shuffled = lines_;
+    Lines shuffled = lines;
     std::mt19937_64 random(seed);
     std::shuffle(shuffled.begin(), shuffled.end(), random);
-    expect_same(lines_, shuffled);
+    expect_same(lines, shuffled);
   }
 }
 
 TEST_P(GraphForms, may_flip_and_stretch_quaternions) {
   if (planar()) return;
-  Lines stretched = lines_;
+  Lines stretched = lines;
   for (std::size_t i = 0; i < stretched.size(); ++i) {
     const std::size_t end = is_edge(stretched[i]) ? 10 : 9;
     scale_quaternion(stretched[i], end, i % 2 == 0 ? -1.0 : 0.3);
   }
-  expect_same(lines_, stretched);
+  expect_same(lines, stretched);
 }
 
 TEST_P(GraphForms, may_number_poses_with_gaps_and_below_zero) {
-  Lines numbered = lines_;
+  Lines numbered = lines;
   for (Words& words : numbered) {
     for (std::size_t i = 1; i < (is_edge(words) ? 3U : 2U); ++i) {
       words[i] = std::to_string(1000003 * (std::stoll(words[i]) - 7));
     }
   }
-  expect_same(lines_, numbered);
+  expect_same(lines, numbered);
 }
 
 TEST_P(GraphForms, may_leave_the_poses_out) {
-  Lines edges = lines_;
+  Lines edges = lines;
   edges.erase(std::remove_if(edges.begin(), edges.end(),
                              [](const Words& words) { return !is_edge(words); }),
               edges.end());
-  Lines from_origin = lines_;  // where a graph without poses begins
+  Lines from_origin = lines;  // where a graph without poses begins
   for (std::size_t i = 2; i < from_origin[0].size(); ++i) from_origin[0][i] = "0";
   if (!planar()) from_origin[0].back() = "1";
   expect_same(from_origin, edges);
 }
 
 TEST_P(GraphForms, may_fix_the_pose_that_stays_anyway) {
-  Lines fixed = lines_;
-  fixed.push_back({"FIX", lines_[0][1]});
-  expect_same(lines_, fixed);
+  Lines fixed = lines;
+  fixed.push_back({"FIX", lines[0][1]});
+  expect_same(lines, fixed);
 }
 
 // An arc that is said twice counts twice: as one with twice the information.
 TEST_P(GraphForms, may_say_arcs_twice) {
-  Lines twice = lines_;
-  Lines doubled = lines_;
+  Lines twice = lines;
+  Lines doubled = lines;
   for (Words& words : doubled) {
     if (!is_edge(words)) continue;
     twice.push_back(words);
@@ -155,14 +155,14 @@ TEST_P(GraphForms, may_say_arcs_twice) {
 
 // Two graphs in one file: each lies as it would alone, and that they hang apart is said.
 TEST_P(GraphForms, may_hang_apart) {
-  Lines both = lines_;
-  for (Words words : lines_) {
+  Lines both = lines;
+  for (Words words : lines) {
     for (std::size_t i = 1; i < (is_edge(words) ? 3U : 2U); ++i) {
       words[i] = std::to_string(std::stoll(words[i]) + 100000);
     }
     both.push_back(words);
   }
-  Graph alone = graph_from_g2o(text_of(lines_));
+  Graph alone = graph_from_g2o(text_of(lines));
   Graph apart = graph_from_g2o(text_of(both));
   const OptimizerReport of_alone = GraphOptimizer().optimize(alone);
   const OptimizerReport of_apart = GraphOptimizer().optimize(apart);
@@ -171,7 +171,7 @@ TEST_P(GraphForms, may_hang_apart) {
 }
 
 TEST_P(GraphForms, give_the_same_bits_each_time) {
-  const std::string text = text_of(lines_);
+  const std::string text = text_of(lines);
   Graph first = graph_from_g2o(text);
   GraphOptimizer().optimize(first);
   for (int i = 0; i < 3; ++i) {

@@ -103,7 +103,7 @@ TangentMatrix open_along(double angle, const TangentMatrix& information) {
 
 TEST(HardGraphs, are_not_doubted_for_loops_that_leave_a_direction_open) {
   const GraphWalk walk = testing::streets(300, 5, GraphNoise{});
-  const Graph whole = walk.graph();
+  const Graph& whole = walk.graph();
   Graph graph(whole.space());
   for (const GraphPose& pose : whole.poses()) graph.add(pose);
   double angle = 0.1;

@@ -39,7 +39,7 @@ STREAM = {
 
 SILENT = dict.fromkeys(("scans", "echoes", "clouds"))  # fates of messages that are used and say nothing
 ODOMETRY_ONLY = (WHOLE, SILENT, "its sensors state none; odometry's is not read")
-NO_LIST = (GAP, {"rangings": None}, "an empty list is well-formed and says nothing")
+NO_LIST = (None, {"rangings": None}, "took part: it listened and heard nothing")
 CUT_ONLY = "has no messages with sizes of their own; what ROS cannot read does not reach it"
 
 # Where a node differs: the map, what becomes of messages of these inputs, and why.
@@ -56,6 +56,8 @@ DIFFERS = {
     ("beacons", "empty_messages"): NO_LIST,
     ("beacons", "malformed_sizes"): (GAP, {"rangings": None}, CUT_ONLY),
     ("beacons", "coordinates_of_1e30"): (GAP, {"rangings": "rejected"}, "counts them as too long"),
+    ("pose_graph", "clock_forward_by_a_day"): (None, {"scans": None}, "loses nothing, but believes odometry more: in a "
+                                               "day's time the robot may have gone as slowly as that"),
     **{("pose_graph", fault): (None, {"scans": None}, "goes on by odometry, as where there are no walls")
        for fault in ("nan_storm", "infinities", "coordinates_of_1e30")},
     **{(node, fault): ODOMETRY_ONLY for node in ("occupancy_grid", "octomap", "pose_graph")
