@@ -50,12 +50,17 @@ Outcome LandmarkMapper::insert(const Observation& z, const Pose& T_map_sensor) {
   return used_any ? Outcome::inserted : Outcome::rejected;
 }
 
+LandmarkId LandmarkMapper::identity(LandmarkId stated) const {
+  constexpr LandmarkId kNone = -1;
+  return options_.identity.stated == StatedIdentities::used ? stated : kNone;
+}
+
 std::vector<LandmarkMapper::Sighted> LandmarkMapper::well_formed(const LandmarkSightings& z) {
   std::vector<Sighted> sighted;
   sighted.reserve(z.sightings.size());
   for (const LandmarkSighting& sighting : z.sightings) {
     if (is_usable(sighting)) {
-      sighted.push_back({sighting.id, measurement_of(sighting, options_.noise)});
+      sighted.push_back({identity(sighting.id), measurement_of(sighting, options_.noise)});
     } else {
       ++counts_.malformed;
     }
@@ -68,7 +73,7 @@ std::vector<LandmarkMapper::Sighted> LandmarkMapper::well_formed(const ImageFeat
   sighted.reserve(z.features.size());
   for (const ImageFeature& feature : z.features) {
     if (is_usable(feature) && is_usable(z.camera)) {
-      sighted.push_back({feature.id, measurement_of(feature, z.camera, options_.noise)});
+      sighted.push_back({identity(feature.id), measurement_of(feature, z.camera, options_.noise)});
     } else {
       ++counts_.malformed;
     }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "beacon/scenario.hpp"
+#include "portolan/beacon/beacon_file.hpp"
 #include "portolan/beacon/beacon_mapper.hpp"
 #include "portolan/beacon/expected_information.hpp"
 
@@ -45,6 +46,18 @@ TEST(BeaconMapperAfterTheDrive, APlaceLongUnheardOfGrowsUncertainAsPosesDrift) {
   const BeaconMode after = mapper.estimates()[0].modes[0];
   EXPECT_GE(after.covariance(0, 0), before.covariance(0, 0) + 0.99 * variance * way);
   EXPECT_GE(after.covariance(1, 1), before.covariance(1, 1) + 0.99 * variance * way);
+}
+
+TEST(BeaconMapperAfterTheDrive, WhatIsRejectedLeavesNoTraceOfItsPose) {
+  BeaconMapper mapper = drive_figure_11(4, BeaconOptions{});
+  BeaconMapper disturbed = mapper;
+  EXPECT_EQ(
+      disturbed.insert(beacon_test::one_range(7, 1e6, 0.1), beacon_test::antenna_at(100.0, -50.0)),
+      Outcome::rejected);
+  for (BeaconMapper* each : {&mapper, &disturbed}) {
+    each->insert(beacon_test::one_range(7, 6.0, 0.1), beacon_test::antenna_at(1.0, 0.5));
+  }
+  EXPECT_EQ(to_yaml(disturbed), to_yaml(mapper));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "beacon/grid_filter.hpp"
 #include "beacon/scenario.hpp"
-#include "portolan/beacon/beacon_file.hpp"
 #include "portolan/beacon/expected_information.hpp"
 
 namespace portolan {
@@ -242,16 +241,6 @@ TEST(BeaconMapper, MalformedRangesAreUnusableAndCounted) {
   EXPECT_EQ(mapper.insert(BeaconRanges{}, Pose::Identity()), Outcome::inserted);
   EXPECT_EQ(mapper.counts().malformed, 8u);
   EXPECT_EQ(mapper.tracks().size(), 1u);
-}
-
-TEST(BeaconMapper, WhatIsRejectedLeavesNoTraceOfItsPose) {
-  BeaconMapper mapper = drive_figure_11(4, BeaconOptions{}, 1);
-  BeaconMapper disturbed = mapper;
-  EXPECT_EQ(disturbed.insert(one_range(7, 1e6, 0.1), antenna_at(100.0, -50.0)), Outcome::rejected);
-  for (BeaconMapper* each : {&mapper, &disturbed}) {
-    each->insert(one_range(7, 6.0, 0.1), antenna_at(1.0, 0.5));
-  }
-  EXPECT_EQ(to_yaml(disturbed), to_yaml(mapper));
 }
 
 TEST(BeaconMapper, ThousandsOfIdsAreCappedAndCounted) {

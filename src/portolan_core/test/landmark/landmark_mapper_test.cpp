@@ -44,6 +44,16 @@ TEST(LandmarkMapper, MapsIdentifiedLandmarks) {
   }
 }
 
+TEST(LandmarkMapper, IgnoresIdentitiesWhereTheyAreNotToBeUsed) {
+  LandmarkOptions options;
+  options.identity.stated = StatedIdentities::ignored;
+  LandmarkMapper mapper(options);
+  Room room(1);
+  room.drive(mapper, 200);
+  EXPECT_EQ(mapper.estimates().size(), room.landmarks.size());
+  for (const LandmarkEstimate& e : mapper.estimates()) EXPECT_LT(e.id, 0);
+}
+
 TEST(LandmarkMapper, PlanarLandmarksAreFlat) {
   LandmarkMapper mapper{LandmarkOptions{}};
   Pose raised = planar_pose(0.0, 0.0, 0.0);

@@ -32,6 +32,14 @@ enum class LandmarkMatching {
 
 constexpr std::array<const char*, 2> enum_names(LandmarkMatching) { return {"nearest", "joint"}; }
 
+/// What becomes of the identities that sensors state.
+enum class StatedIdentities {
+  used,     ///< what has one is itself alone; the rest is told apart by where it is
+  ignored,  ///< nothing has one: for sensors that mistake them
+};
+
+constexpr std::array<const char*, 2> enum_names(StatedIdentities) { return {"used", "ignored"}; }
+
 /// What becomes of the covariance that odometry states of its poses.
 enum class StatedCovariance {
   ignored,  ///< many drivers state constants, or what has grown since the start

@@ -67,6 +67,7 @@ class LandmarkMapper {
     Matches matches;                    // by sighting
   };
 
+  LandmarkId identity(LandmarkId stated) const;
   std::vector<Sighted> well_formed(const LandmarkSightings& z);
   std::vector<Sighted> well_formed(const ImageFeatures& z);
   void identify(Message& message) const;

@@ -11,6 +11,7 @@ namespace portolan {
 
 /// How sightings without identity become landmarks.
 struct LandmarkIdentityOptions {
+  StatedIdentities stated = StatedIdentities::used;
   LandmarkMatching matching = LandmarkMatching::nearest;
   double birth_gate = 8.0;
   double merge_gate = 0.5;
@@ -19,7 +20,8 @@ struct LandmarkIdentityOptions {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("matching", self.matching, "how they are assigned to landmarks");
+    visit("stated", self.stated, "what becomes of the identities that sightings state");
+    visit("matching", self.matching, "how those without are assigned to landmarks");
     visit("birth_gate", self.birth_gate,
           "one that is nearer than so many deviations to a landmark, though it does not pass the "
           "gate, starts no other",
