@@ -46,11 +46,11 @@ function(portolan_add_tests)
     find_package(GTest REQUIRED)
     add_executable(${target} ${sources})
     target_link_libraries(${target} GTest::GTest)
-    # In four parts, so that `ctest -j` has something to share out.
-    foreach(part RANGE 3)
+    # In eight parts, so that `ctest -j` has something to share out.
+    foreach(part RANGE 7)
       add_test(NAME ${target}_${part} COMMAND ${target})
       set_tests_properties(${target}_${part} PROPERTIES
-        ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${part}")
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=8;GTEST_SHARD_INDEX=${part}")
     endforeach()
   endif()
   if(TARGET GTest::gtest_main)
