@@ -20,6 +20,9 @@ if command -v ccache > /dev/null; then
   compiler_launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 fi
 
+# A build in which sanitizers can name lines, and which is not too slow for them.
+watched=(-DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1")
+
 # cpp_files: every C++ file of ours, one a line, relative to the root.
 cpp_files() {
   (cd "$root" && find src \( -name '*.cpp' -o -name '*.hpp' \) -type f | sort)
@@ -36,4 +39,14 @@ build_core_without_ros() {
     -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DPORTOLAN_WERROR=ON "${compiler_launcher[@]}" "$@"
   "${plain[@]}" cmake --build "$dir" -j "$jobs"
   (cd "$dir" && "${plain[@]}" ctest -j "$jobs" --output-on-failure)
+}
+
+# build_aside DIR [ARGUMENT...]: the workspace once more in DIR, without tests, for a tool that looks at it while it runs.
+# Arguments go to catkin_make.
+build_aside() {
+  local dir=$1
+  shift
+  catkin_make -C "$root" --use-ninja --build "$dir" -j "$jobs" -DCATKIN_DEVEL_PREFIX="$dir/devel" \
+    -DCATKIN_ENABLE_TESTING=OFF "${watched[@]}" \
+    -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "${compiler_launcher[@]}" "$@"
 }
