@@ -27,28 +27,45 @@ inline void recognise(GraphWalk& walk, Visits& visits, const std::pair<int, int>
   visit->second = last;
 }
 
+/// Who walks a square of `reach` steps each way, and turns back at its rim.
+struct Walker {
+  int reach;
+  std::pair<int, int> place{0, 0};
+  std::size_t heading = 0;  // of kSteps
+
+  Pose pose() const {
+    return planar_pose(place.first, place.second, M_PI_2 * static_cast<double>(heading));
+  }
+
+  /// By so many quarters to the left, and on until the next step stays inside.
+  void turn(std::size_t quarters) {
+    heading = (heading + quarters) % 4;
+    while (std::abs(place.first + kSteps[heading].first) > reach ||
+           std::abs(place.second + kSteps[heading].second) > reach) {
+      heading = (heading + 1) % 4;
+    }
+  }
+
+  void go_on() {
+    place.first += kSteps[heading].first;
+    place.second += kSteps[heading].second;
+  }
+};
+
 }  // namespace graph_worlds_detail
 
 /// Streets between square blocks, `side` of them each way: every crossing that was visited before
 /// is recognised, as in the Manhattan worlds and the cities of the literature.
 inline GraphWalk streets(std::size_t poses, int side, const GraphNoise& noise = {}) {
-  using graph_worlds_detail::kSteps;
   GraphWalk walk(GraphSpace::planar, noise);
   std::mt19937_64 random(3);
   graph_worlds_detail::Visits visits;
-  int x = 0;
-  int y = 0;
-  std::size_t heading = 0;
+  graph_worlds_detail::Walker walker{side};
   while (walk.size() < poses) {
-    walk.go_to(planar_pose(x, y, M_PI_2 * static_cast<double>(heading)));
-    graph_worlds_detail::recognise(walk, visits, {x, y}, 1);
-    const auto away = [&](std::size_t h) {
-      return std::abs(x + kSteps[h].first) > side || std::abs(y + kSteps[h].second) > side;
-    };
-    if (random() % 3 == 0) heading = (heading + 1 + 2 * (random() % 2)) % 4;
-    while (away(heading)) heading = (heading + 1) % 4;
-    x += kSteps[heading].first;
-    y += kSteps[heading].second;
+    walk.go_to(walker.pose());
+    graph_worlds_detail::recognise(walk, visits, walker.place, 1);
+    walker.turn(random() % 3 == 0 ? 1 + 2 * (random() % 2) : 0);
+    walker.go_on();
   }
   return walk;
 }
@@ -57,27 +74,18 @@ inline GraphWalk streets(std::size_t poses, int side, const GraphNoise& noise = 
 /// crossing: long ways between few recognised places, of which one in `rarity` is used.
 inline GraphWalk roads(std::size_t poses, int side, int block, std::size_t rarity,
                        const GraphNoise& noise = {}) {
-  using graph_worlds_detail::kSteps;
   GraphWalk walk(GraphSpace::planar, noise);
   std::mt19937_64 random(5);
   graph_worlds_detail::Visits visits;
-  int x = 0;
-  int y = 0;
-  std::size_t heading = 0;
+  graph_worlds_detail::Walker walker{side * block};
   while (walk.size() < poses) {
-    if (x % block == 0 && y % block == 0) {
+    if (walker.place.first % block == 0 && walker.place.second % block == 0) {
       const std::size_t turn = random() % 3;  // ahead, left, right
-      heading = (heading + (turn == 2 ? 3 : turn)) % 4;
-      const auto away = [&](std::size_t h) {
-        return std::abs(x + kSteps[h].first) > side * block ||
-               std::abs(y + kSteps[h].second) > side * block;
-      };
-      while (away(heading)) heading = (heading + 1) % 4;
+      walker.turn(turn == 2 ? 3 : turn);
     }
-    walk.go_to(planar_pose(x, y, M_PI_2 * static_cast<double>(heading)));
-    if (random() % rarity == 0) graph_worlds_detail::recognise(walk, visits, {x, y}, 50);
-    x += kSteps[heading].first;
-    y += kSteps[heading].second;
+    walk.go_to(walker.pose());
+    if (random() % rarity == 0) graph_worlds_detail::recognise(walk, visits, walker.place, 50);
+    walker.go_on();
   }
   return walk;
 }
