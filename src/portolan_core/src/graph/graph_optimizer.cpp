@@ -110,7 +110,8 @@ class Run {
   bool rewind(Result& best) {
     bool better = false;
     std::set<std::size_t> tried;
-    while (const auto other = likeliest_winding(best, tried)) {
+    std::vector<OtherWinding> others = likely_windings(best);
+    while (const auto other = first_but(tried, others)) {
       doubt(Doubt::wound_up, tried.size() == kMostWindings);
       if (tried.size() == kMostWindings) break;
       tried.insert(other->term);
@@ -119,19 +120,24 @@ class Run {
       Result result = descend({best.start, std::move(*states), 0.0}, &best);
       if (!differs(result, best) || best.descent.cost < result.descent.cost) continue;
       best = std::move(result);
+      others = likely_windings(best);
       better = true;
     }
     return better;
   }
 
-  std::optional<OtherWinding> likeliest_winding(const Result& best,
-                                                const std::set<std::size_t>& tried) const {
+  std::vector<OtherWinding> likely_windings(const Result& best) const {
     const auto degrees = static_cast<double>(std::max<std::size_t>(degrees_of_freedom(), 1));
     const double price = kSigmas * kSigmas * best.descent.cost / degrees;
-    for (const OtherWinding& other : other_windings(problem_, tree_, best.states, price)) {
-      if (tried.count(other.term) == 0) return other;
-    }
-    return std::nullopt;
+    return other_windings(problem_, tree_, best.states, price);
+  }
+
+  static std::optional<OtherWinding> first_but(const std::set<std::size_t>& tried,
+                                               const std::vector<OtherWinding>& others) {
+    const auto found = std::find_if(others.begin(), others.end(), [&](const OtherWinding& other) {
+      return tried.count(other.term) == 0;
+    });
+    return found == others.end() ? std::nullopt : std::optional<OtherWinding>(*found);
   }
 
   bool differs(const Result& a, const Result& b) const {
