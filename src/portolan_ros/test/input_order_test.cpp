@@ -14,17 +14,20 @@
 namespace portolan {
 namespace {
 
-TEST(InputOrder, AnInputAloneIsAlwaysInTurn) {
+InputOrder of_inputs(std::size_t count) {
   InputOrder order;
-  order.add_input();
+  for (std::size_t i = 0; i < count; ++i) order.add_input();
+  return order;
+}
+
+TEST(InputOrder, AnInputAloneIsAlwaysInTurn) {
+  InputOrder order = of_inputs(1);
   order.note(0, at(1.0));
   EXPECT_TRUE(order.is_in_turn(0, at(1.0)));
 }
 
 TEST(InputOrder, WaitsUntilTheOtherHasPassedOrWasSilentForLong) {
-  InputOrder order;
-  order.add_input();
-  order.add_input();
+  InputOrder order = of_inputs(2);
   order.note(0, at(1.0));
   EXPECT_FALSE(order.is_in_turn(0, at(1.0)));
   order.note(1, at(0.9));
@@ -38,9 +41,7 @@ TEST(InputOrder, WaitsUntilTheOtherHasPassedOrWasSilentForLong) {
 }
 
 TEST(InputOrder, OneThatNeverBringsAnythingIsForgotten) {
-  InputOrder order;
-  order.add_input();
-  order.add_input();
+  InputOrder order = of_inputs(2);
   order.note(0, at(1.0));
   order.note(0, at(2.5));
   EXPECT_TRUE(order.is_in_turn(0, at(2.5)));
