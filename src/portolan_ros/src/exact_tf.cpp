@@ -31,8 +31,6 @@ Pose edge(const tf2::BufferCore& tf, const std::string& parent, const std::strin
   return ros_convert::pose(rounded(tf.lookupTransform(parent, child, time).transform));
 }
 
-bool is_frame_name(const std::string& name) { return !name.empty() && name.front() != '/'; }
-
 }  // namespace
 
 geometry_msgs::TransformStamped without_last_bits(geometry_msgs::TransformStamped transform) {
@@ -50,7 +48,8 @@ std::optional<Pose> look_up(const tf2::BufferCore& tf, const std::string& target
                             const std::string& frame, Time stamp) {
   const ros::Time time = ros_convert::time(stamp);
   // Asking first is far cheaper than an exception for each message that waits, at each transform.
-  if (!is_frame_name(frame) || !tf.canTransform(target, frame, time)) return std::nullopt;
+  if (!ros_convert::is_frame_name(frame) || !tf.canTransform(target, frame, time))
+    return std::nullopt;
   try {
     Pose T_child_frame = Pose::Identity();
     std::string child = frame;

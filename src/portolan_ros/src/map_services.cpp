@@ -47,6 +47,16 @@ std::filesystem::path folder_of(const std::string& map_directory) {
   return std::filesystem::path(home) / map_directory.substr(map_directory.size() > 1 ? 2 : 1);
 }
 
+std::string keep_files(const std::string& map_directory, const FileSet& files) {
+  if (files.empty()) throw std::runtime_error("nothing has been observed yet");
+  const std::filesystem::path folder = folder_of(map_directory);
+  std::filesystem::create_directories(folder);
+  save_files(folder, files);
+  std::string names;
+  for (const auto& [file, content] : files) names += " " + file;
+  return "saved" + names + " in " + folder.string();
+}
+
 const std::string& checked_map_name(const std::string& name) {
   const bool bare = !name.empty() && name.front() != '.' && name.find('/') == std::string::npos &&
                     name.find('\0') == std::string::npos && name.find("..") == std::string::npos;

@@ -51,8 +51,6 @@ bool is_far_ahead(Time stamp, Time now) {
   return now != Time{} && stamp > now + std::chrono::hours(1);
 }
 
-bool is_frame_name(const std::string& name) { return !name.empty() && name.front() != '/'; }
-
 }  // namespace
 
 PosedInput::PosedInput(const PosedInputOptions& options)
@@ -253,7 +251,7 @@ std::string PosedInput::missing_target(const Message& message) const {
 }
 
 std::string PosedInput::why_not(const Message& message) const {
-  if (!is_frame_name(message.frame)) return "they name no frame";
+  if (!ros_convert::is_frame_name(message.frame)) return "they name no frame";
   const std::string target = missing_target(message);
   const std::string arrow = target + " <- " + message.frame;
   for (const std::string& frame : {target, message.frame}) {

@@ -160,6 +160,16 @@ class GridLiveEqualsOffline(case.NodeCase):
         bag = bags.write_room_bag(self.folder / "mountless.bag", looks=3, with_mounts=False)
         self.assert_refused(self.bag_to_map(bag), "0 of 3 scans used", "laser")
 
+    def test_an_empty_map_takes_no_other_with_it(self):
+        bag = bags.write_room_bag(self.folder / "room.bag", looks=3)
+        config = self.folder / "lost.yaml"
+        config.write_text(yaml.safe_dump({"octomap": {"odom_frame": "nowhere"}}))
+        done = self.bag_to_map("--mappers", "octomap,occupancy_grid", "--config", config, bag)
+        self.assertGreater(done.returncode, 0)
+        self.assert_in_words(["the map of octomap is empty", "nowhere"], done.stderr)
+        self.assertTrue((self.folder / "maps/map.pgm").exists())
+        self.assertFalse((self.folder / "maps/octomap.ot").exists())
+
     def test_an_output_folder_that_cannot_be(self):
         bag = bags.write_room_bag(self.folder / "room.bag", looks=3)
         (self.folder / "file").write_text("")

@@ -26,15 +26,9 @@ class MapKeeper {
       : remapper_(remapper), options_(options), name_(std::move(name)) {}
 
   std::string save() {
-    const std::filesystem::path folder = folder_of(options_.node.map_directory);
     const std::string name = checked_map_name(name_());
     remapper_.finish();
-    std::filesystem::create_directories(folder);
-    const FileSet files = Kind::save(remapper_.map(), name, options_);
-    save_files(folder, files);
-    std::string names;
-    for (const auto& [file, content] : files) names += " " + file;
-    return "saved" + names + " in " + folder.string();
+    return keep_files(options_.node.map_directory, Kind::save(remapper_.map(), name, options_));
   }
 
   std::string load() {

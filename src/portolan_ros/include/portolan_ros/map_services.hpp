@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "portolan/map_file.hpp"
+
 namespace portolan {
 
 /// Save, load and reset as services. What goes wrong becomes `success: false` and the reason.
@@ -33,6 +35,11 @@ class MapServices {
 
 /// The folder that a parameter names: "~/" is the user's home.
 std::filesystem::path folder_of(const std::string& map_directory);
+
+/// Keeps a map's files in that folder, all of them or none, and says so in a sentence. Throws
+/// std::runtime_error where there are none, since nothing has been observed: what an earlier run
+/// left there is worth more.
+std::string keep_files(const std::string& map_directory, const FileSet& files);
 
 /// The name itself. Throws std::invalid_argument where it is no bare file name: anyone on the ROS
 /// network can set it and call a service.

@@ -78,4 +78,6 @@ std::string without_slash(const std::string& name) {
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
 }
 
+bool is_frame_name(const std::string& name) { return !name.empty() && name.front() != '/'; }
+
 }  // namespace portolan::ros_convert

@@ -10,22 +10,15 @@
 namespace portolan {
 
 FileSet graph_file_set(const PoseGraph& graph, const std::string& name) {
+  if (graph.keyframes().empty()) return {};
   FileSet files = graph_files(graph.graph(), name);
   files[name + ".tum"] = to_tum(graph.graph());
   return files;
 }
 
 std::string GraphKeeper::save(const std::string& name) {
-  if (pipeline_.graph().keyframes().empty()) {
-    throw std::runtime_error("nothing has been observed yet");
-  }
-  const std::filesystem::path folder = folder_of(options_.map_directory);
-  std::filesystem::create_directories(folder);
-  const FileSet files = graph_file_set(pipeline_.graph(), checked_map_name(name));
-  save_files(folder, files);
-  std::string names;
-  for (const auto& [file, content] : files) names += " " + file;
-  return "saved" + names + " in " + folder.string();
+  return keep_files(options_.map_directory,
+                    graph_file_set(pipeline_.graph(), checked_map_name(name)));
 }
 
 std::string GraphKeeper::load(const std::string& name) {

@@ -10,7 +10,7 @@ namespace portolan {
 
 FileSet BeaconKind::save(const BeaconMapper& map, const std::string& name,
                          const MapperNodeOptions<BeaconKind>& /*options*/) {
-  if (map.tracks().empty()) throw std::runtime_error("nothing has been observed yet");
+  if (map.tracks().empty()) return {};
   return {{name + ".yaml", to_yaml(map)}};
 }
 

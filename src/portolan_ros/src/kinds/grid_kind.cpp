@@ -68,6 +68,7 @@ std::string picture_of(const GridMapper& map, GridSheet sheet,
 FileSet GridKind::save(const GridMapper& map, const std::string& name,
                        const MapperNodeOptions<GridKind>& options) {
   const CellRect rect = map.bounds();
+  if (rect.empty()) return {};
   if (static_cast<double>(rect.width()) * rect.height() > options.output.max_cells) {
     throw std::runtime_error("the map is too large to save; see max_cells");
   }

@@ -11,7 +11,7 @@ namespace portolan {
 
 FileSet LandmarkKind::save(const LandmarkMapper& map, const std::string& name,
                            const MapperNodeOptions<LandmarkKind>& /*options*/) {
-  if (map.estimates().empty()) throw std::runtime_error("nothing has been observed yet");
+  if (map.estimates().empty()) return {};
   return {{name + ".yaml", to_yaml(map)}};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/kinds/octo_kind.hpp"
 
-#include <stdexcept>
 #include <vector>
 
 #include "portolan/octo/octo_files.hpp"
@@ -11,7 +10,7 @@ namespace portolan {
 
 FileSet OctoKind::save(const OctoMapper& map, const std::string& name,
                        const MapperNodeOptions<OctoKind>& options) {
-  if (map.blocks().size() == 0) throw std::runtime_error("nothing has been observed yet");
+  if (map.blocks().size() == 0) return {};
   return map_files(map, name, options.node.map_frame);
 }
 

@@ -88,6 +88,7 @@ FileSet BagMapper<Kind>::files() const {
   const auto& map = pipeline_.remapper().map();
   const Correction& correction = pipeline_.remapper().correction();
   FileSet files = Kind::save(map, Kind::kFileName, options_);
+  if (files.empty()) return files;
   files.merge(Kind::pictures(map, Kind::kFileName, trajectory_.in_map(correction)));
   if (!trajectory_.empty()) files["trajectory.tum"] = trajectory_.tum(correction);
   return files;

@@ -27,4 +27,7 @@ Pose pose(const geometry_msgs::Transform& message);
 /// The name without the slash that old packages put before frames and topics.
 std::string without_slash(const std::string& name);
 
+/// Whether tf takes it for a frame: not empty, and without that slash.
+bool is_frame_name(const std::string& name);
+
 }  // namespace portolan::ros_convert

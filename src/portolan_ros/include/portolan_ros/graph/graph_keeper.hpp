@@ -8,7 +8,7 @@
 
 namespace portolan {
 
-/// The graph's files: NAME.g2o, NAME.stamps and NAME.tum.
+/// The graph's files: NAME.g2o, NAME.stamps and NAME.tum; none of an empty graph.
 FileSet graph_file_set(const PoseGraph& graph, const std::string& name);
 
 /// Keeps a pose graph in files, and begins again from files. Each says in a sentence what it did,

@@ -30,7 +30,7 @@ struct BeaconKind {
     add("beacon_ranges", "rangings", &ros_convert::beacon_ranges);
   }
 
-  /// `<name>.yaml`.
+  /// `<name>.yaml`; nothing where nothing has been observed.
   static FileSet save(const BeaconMapper& map, const std::string& name,
                       const MapperNodeOptions<BeaconKind>& options);
 

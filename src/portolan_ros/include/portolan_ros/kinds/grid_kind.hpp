@@ -31,7 +31,8 @@ struct GridKind {
     add("cloud_in", "clouds", &ros_convert::point_cloud);
   }
 
-  /// The files of the fused map and of each layer. Throws std::runtime_error for over `max_cells`.
+  /// The files of the fused map and of each layer; nothing where nothing has been observed. Throws
+  /// std::runtime_error for over `max_cells`.
   static FileSet save(const GridMapper& map, const std::string& name,
                       const MapperNodeOptions<GridKind>& options);
 

@@ -36,7 +36,7 @@ struct LandmarkKind {
     add("landmark_scan", "scans", &ros_convert::intensity_scan);
   }
 
-  /// `<name>.yaml`.
+  /// `<name>.yaml`; nothing where nothing has been observed.
   static FileSet save(const LandmarkMapper& map, const std::string& name,
                       const MapperNodeOptions<LandmarkKind>& options);
 

@@ -36,7 +36,7 @@ struct OctoKind {
     add("scan", "scans", &ros_convert::range_scan);
   }
 
-  /// The octree as `.ot` and `.bt`, and the YAML beside them.
+  /// The octree as `.ot` and `.bt`, and the YAML beside them; nothing where nothing was observed.
   static FileSet save(const OctoMapper& map, const std::string& name,
                       const MapperNodeOptions<OctoKind>& options);
 
