@@ -145,6 +145,47 @@ TEST_F(PipelineTest, KeepsTheMapOnRequestWhenTheClockRunsBack) {
   EXPECT_EQ(pipeline->time_jumps(), 1u);
 }
 
+/// A map of 10, 11, 12 m that is to be kept, and was moved by 100 m.
+class KeptMapTest : public PipelineTest {
+ protected:
+  void SetUp() override {
+    PipelineOptions options;
+    options.on_time_jump = OnTimeJump::keep;
+    begin(options);
+    drive(10.0, 3);
+    pipeline->correct(Correction({{at(0.0), planar_pose(100.0, 0.0, 0.0)}}), at(12.0), now);
+    pipeline->remapper().finish();
+  }
+  void expect_places(const std::vector<double>& expected) {
+    pipeline->remapper().finish();
+    EXPECT_EQ(places(), expected);
+  }
+};
+
+TEST_F(KeptMapTest, StaysWhereTheOneWhoCorrectsNoticesFirstThatTimeRanBack) {
+  pipeline->correct(Correction(), at(5.0), now);
+  expect_places({110.0, 111.0, 112.0});
+  pipeline->correct(Correction({{at(0.0), planar_pose(7.0, 0.0, 0.0)}}), at(5.5), now);
+  expect_places({110.0, 111.0, 112.0});
+  drive(6.0, 2);
+  expect_places({110.0, 111.0, 112.0, 13.0, 14.0});
+  EXPECT_EQ(pipeline->time_jumps(), 1u);
+}
+
+TEST_F(KeptMapTest, StaysWhereTheOneWhoCorrectsNoticesLast) {
+  drive(6.0, 1);
+  pipeline->correct(Correction(), at(6.5), now);
+  expect_places({110.0, 111.0, 112.0, 6.0});
+  EXPECT_EQ(pipeline->time_jumps(), 1u);
+}
+
+TEST_F(KeptMapTest, FollowsACorrectionWhoseSenderAloneSetItsClockBack) {
+  pipeline->correct(Correction(), at(5.0), now);
+  drive(13.0, 3);
+  expect_places({10.0, 11.0, 12.0, 13.0, 14.0, 15.0});
+  EXPECT_EQ(pipeline->time_jumps(), 0u);
+}
+
 TEST_F(PipelineTest, CountsWhatWaitedWhenTheClockRanBack) {
   now = at(50.0);
   scan(50.0, 50.0);

@@ -107,10 +107,9 @@ void MapperNode<Kind>::subscribe_to_input(
 
 template <class Kind>
 void MapperNode<Kind>::correct(const portolan_msgs::DriftCorrection& message) {
-  pipeline_.poll(now());  // a graph that saw the clock run back speaks of the new time
   try {
-    pipeline_.remapper().correct(
-        ros_convert::correction(message, options_.pipeline.posing.odom_frame));
+    pipeline_.correct(ros_convert::correction(message, options_.pipeline.posing.odom_frame),
+                      ros_convert::time(message.header.stamp), now());
   } catch (const std::invalid_argument& error) {
     diagnosis_.refuse_correction();
     ROS_ERROR_THROTTLE(10.0, "drift_correction is refused: %s", error.what());

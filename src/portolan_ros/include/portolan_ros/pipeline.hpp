@@ -58,7 +58,13 @@ class Pipeline {
   void poll(Time now) {
     check_clock(now);
     posed_.poll(now);
+    if (early_ && now > early_->since + kLead) take_early_correction();
   }
+
+  /// Takes a correction that its sender worked out at `stamp`. One whose stamp runs back tells of a
+  /// jump that the sender noticed first: it waits for the clock here to run back too, for a second
+  /// at most, so that it moves nothing that was mapped before.
+  void correct(Correction correction, Time stamp, Time now);
 
   Remapper<Mapper>& remapper() { return remapper_; }
   const Remapper<Mapper>& remapper() const { return remapper_; }
@@ -83,12 +89,23 @@ class Pipeline {
     } else {
       remapper_.freeze();
     }
+    if (early_) take_early_correction();
+  }
+
+  void take_early_correction() {
+    remapper_.correct(std::exchange(early_, std::nullopt)->correction);
   }
 
   SensorId sensor_id(std::size_t input, const std::string& frame) {
     const auto next = static_cast<SensorId>(sensors_.size());
     return sensors_.try_emplace({input, frame}, next).first->second;
   }
+
+  struct EarlyCorrection {
+    Correction correction;
+    Time since;
+  };
+  static constexpr Duration kLead = seconds(1.0);  // by which others may notice a jump first
 
   PipelineOptions options_;
   FilterOf<Kind> filter_;
@@ -97,6 +114,9 @@ class Pipeline {
   ClockGuard clock_{seconds(0.1)};
   std::map<std::pair<std::size_t, std::string>, SensorId> sensors_;
   std::size_t time_jumps_ = 0;
+  ClockGuard sender_clock_{seconds(0.1)};  // of those who correct
+  std::size_t jumps_at_correction_ = 0;
+  std::optional<EarlyCorrection> early_;
 };
 
 namespace pipeline_detail {
@@ -113,6 +133,20 @@ struct IsNoted<Filter, T, std::void_t<decltype(std::declval<Filter&>().note(std:
     : std::true_type {};
 
 }  // namespace pipeline_detail
+
+template <class Kind>
+void Pipeline<Kind>::correct(Correction correction, Time stamp, Time now) {
+  poll(now);
+  const bool jumped = std::exchange(jumps_at_correction_, time_jumps_) != time_jumps_;
+  const bool ran_back = sender_clock_.ran_back(stamp) && !jumped;
+  if (early_) {
+    early_->correction = std::move(correction);
+  } else if (ran_back) {
+    early_ = {std::move(correction), now};
+  } else {
+    remapper_.correct(std::move(correction));
+  }
+}
 
 template <class Kind>
 template <class SensorReading>
