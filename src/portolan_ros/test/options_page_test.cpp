@@ -6,7 +6,7 @@
 #include <string>
 
 #include "portolan_ros/kinds/for_each_kind.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "portolan_ros/graph/graph_node_options.hpp"
 #include "portolan_ros/kinds/for_each_kind.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 #include "portolan_ros/options_page.hpp"
 #include "portolan_ros/report.hpp"
 

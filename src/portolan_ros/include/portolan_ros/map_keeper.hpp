@@ -9,7 +9,7 @@
 #include "portolan/map_file.hpp"
 #include "portolan/remapper.hpp"
 #include "portolan_ros/map_services.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 

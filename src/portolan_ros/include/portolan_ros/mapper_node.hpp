@@ -10,7 +10,7 @@
 #include "portolan_ros/convert/correction.hpp"
 #include "portolan_ros/map_keeper.hpp"
 #include "portolan_ros/map_services.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 #include "portolan_ros/params.hpp"
 #include "portolan_ros/pipeline.hpp"
 #include "portolan_ros/pipeline_diagnosis.hpp"
@@ -120,7 +120,7 @@ template <class Kind>
 void MapperNode<Kind>::redraw() {
   pipeline_.poll(now());
   const ros::WallTime end =
-      ros::WallTime::now() + ros::WallDuration(kRedrawPeriod * options_.node.redraw_share);
+      ros::WallTime::now() + ros::WallDuration(kRedrawPeriod * options_.redraw_share);
   pipeline_.remapper().replay([end] { return ros::WallTime::now() < end; });
 }
 

@@ -1,44 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-#include <map>
 #include <string>
-#include <vector>
 
 #include "portolan/options.hpp"
-#include "portolan/remapper.hpp"
-#include "portolan_ros/kinds/kind_parts.hpp"
-#include "portolan_ros/posed_input.hpp"
 
 namespace portolan {
 
-/// What becomes of the map when the clock runs back.
-enum class OnTimeJump {
-  reset,  ///< it starts anew: the bag loops, the simulator was restarted
-  keep,   ///< it stays, but what it shows can no longer be corrected
-};
-
-constexpr std::array<const char*, 2> enum_names(OnTimeJump) { return {"reset", "keep"}; }
-
-/// What every mapper takes in, and how: the part that needs no ROS graph.
-struct PipelineOptions {
-  std::string base_frame = "base_link";
-  OnTimeJump on_time_jump = OnTimeJump::reset;
-  PosedInputOptions posing;
-  RemapperOptions remapper;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit("base_frame", self.base_frame, "the robot's own frame");
-    visit("on_time_jump", self.on_time_jump,
-          "when the clock runs back: start anew, or keep a map that corrections no longer move");
-    PosedInputOptions::describe(self.posing, visit);
-    RemapperOptions::describe(self.remapper, visit);
-  }
-};
-
-/// How a mapper node stands in its ROS graph.
+/// How a node that draws maps stands in its ROS graph: the same for every kind of map.
 struct NodeOptions {
   std::string map_frame = "map";
   std::string odom_topic;
@@ -46,7 +15,6 @@ struct NodeOptions {
   std::string map_name = "map";
   double publish_interval = 0.5;
   double diagnostic_period = 1.0;
-  double redraw_share = 0.5;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -59,62 +27,15 @@ struct NodeOptions {
           within(0.05, 3600.0));
     visit("diagnostic_period", self.diagnostic_period, "time between diagnostics [s]",
           within(0.05, 60.0));
-    visit("redraw_share", self.redraw_share,
-          "share of one core that redrawing after a correction may use", above_to(0.0, 0.95));
   }
 };
-
-/// The topics of each input, by the input's name; parameter `<name>_topics`.
-struct TopicOptions {
-  std::map<std::string, std::vector<std::string>> by_input;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    for (auto& [name, topics] : self.by_input) {
-      const std::string meaning = "topics that feed the input `" + name + "`; [] for none";
-      visit((name + "_topics").c_str(), topics, meaning.c_str());
-    }
-  }
-};
-
-/// The topics of a kind of map before anybody changed them: each input's own name.
-template <class Kind>
-TopicOptions default_topics() {
-  TopicOptions options;
-  Kind::inputs([&options](const std::string& name, const std::string& /*noun*/, auto /*convert*/) {
-    options.by_input[name] = {name};
-  });
-  return options;
-}
 
 /// A node's options before anybody changed them: its files are named after the kind of map, so that
 /// several nodes can share a folder.
-template <class Kind>
-NodeOptions default_node() {
+inline NodeOptions node_options_for(const std::string& map_name) {
   NodeOptions options;
-  options.map_name = Kind::kFileName;
+  options.map_name = map_name;
   return options;
 }
-
-/// All options of a node for one kind of map, as its private parameters name them.
-template <class Kind>
-struct MapperNodeOptions {
-  NodeOptions node = default_node<Kind>();
-  PipelineOptions pipeline;
-  TopicOptions topics = default_topics<Kind>();
-  typename FilterOf<Kind>::Options filter;
-  typename Kind::OutputOptions output;
-  typename Kind::Mapper::Options mapper;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    NodeOptions::describe(self.node, visit);
-    PipelineOptions::describe(self.pipeline, visit);
-    TopicOptions::describe(self.topics, visit);
-    FilterOf<Kind>::Options::describe(self.filter, visit);
-    Kind::OutputOptions::describe(self.output, visit);
-    Kind::Mapper::Options::describe(self.mapper, visit);
-  }
-};
 
 }  // namespace portolan

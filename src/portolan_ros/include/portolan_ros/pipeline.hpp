@@ -9,7 +9,7 @@
 
 #include "portolan_ros/clock_guard.hpp"
 #include "portolan_ros/convert/basics.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 #include "portolan_ros/sensed.hpp"
 
 namespace portolan {

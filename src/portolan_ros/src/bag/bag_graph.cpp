@@ -12,7 +12,7 @@
 namespace portolan {
 
 BagGraph::BagGraph(const GraphNodeOptions& options) : options_(checked(options)) {
-  topics_.add_poses(options_.odom_topic, trajectory_, pipeline_);
+  topics_.add_poses(options_.node.odom_topic, trajectory_, pipeline_);
   for (const std::string& topic : options_.scan_topics) {
     topics_.add<sensor_msgs::LaserScan>(topic,
                                         [this](const sensor_msgs::LaserScan& message, Time now) {
@@ -36,17 +36,17 @@ void BagGraph::finish() {
 Correction BagGraph::correction() const {
   const std::string& odom_frame = options_.posing.odom_frame;
   return ros_convert::correction(
-      ros_convert::correction(pipeline_.graph().correction(), options_.map_frame, odom_frame),
+      ros_convert::correction(pipeline_.graph().correction(), options_.node.map_frame, odom_frame),
       odom_frame);
 }
 
 FileSet BagGraph::files() const {
   const PoseGraph& graph = pipeline_.graph();
-  FileSet files = graph_file_set(graph, options_.map_name);
-  files.erase(options_.map_name + ".tum");
+  FileSet files = graph_file_set(graph, options_.node.map_name);
+  files.erase(options_.node.map_name + ".tum");
   if (!trajectory_.empty()) files["trajectory.tum"] = trajectory_.tum(correction());
   const std::string picture = graph_picture(graph.graph(), surfaces_of(graph));
-  if (!picture.empty()) files[options_.map_name + ".png"] = picture;
+  if (!picture.empty()) files[options_.node.map_name + ".png"] = picture;
   return files;
 }
 

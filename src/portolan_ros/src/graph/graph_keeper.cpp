@@ -17,13 +17,13 @@ FileSet graph_file_set(const PoseGraph& graph, const std::string& name) {
 }
 
 std::string GraphKeeper::save(const std::string& name) {
-  return keep_files(options_.map_directory,
+  return keep_files(options_.node.map_directory,
                     graph_file_set(pipeline_.graph(), checked_map_name(name)));
 }
 
 std::string GraphKeeper::load(const std::string& name) {
   const std::filesystem::path file =
-      folder_of(options_.map_directory) / (checked_map_name(name) + ".g2o");
+      folder_of(options_.node.map_directory) / (checked_map_name(name) + ".g2o");
   const Graph graph = load_graph(file);
   if (graph.poses().empty()) throw std::runtime_error(file.string() + ": there is no pose in it");
   try {

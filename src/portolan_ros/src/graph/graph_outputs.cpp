@@ -33,7 +33,7 @@ void GraphOutputs::publish(const ros::Time& stamp) {
   const Version version{source_.restarts(), source_.graph().generation()};
   if (version != sent_version_ || drift_changed(correction) || is_settled(correction)) {
     portolan_msgs::DriftCorrection message =
-        ros_convert::correction(correction, options_.map_frame, options_.posing.odom_frame);
+        ros_convert::correction(correction, options_.node.map_frame, options_.posing.odom_frame);
     message.header.stamp = stamp;
     correction_.publish(message);
     sent_ = correction;
@@ -55,7 +55,7 @@ void GraphOutputs::publish_tf(const ros::Time& stamp) {
   tf2_msgs::TFMessage message;
   message.transforms.resize(1);
   message.transforms[0].header.stamp = stamp;
-  message.transforms[0].header.frame_id = options_.map_frame;
+  message.transforms[0].header.frame_id = options_.node.map_frame;
   message.transforms[0].child_frame_id = options_.posing.odom_frame;
   message.transforms[0].transform = ros_convert::transform(last_of(sent_));
   tf_.publish(message);
@@ -82,17 +82,17 @@ bool GraphOutputs::is_settled(const Correction& correction) {
 void GraphOutputs::publish_visuals(const ros::Time& stamp) {
   const PoseGraph& graph = source_.graph();
   if (path_.getNumSubscribers() > 0) {
-    nav_msgs::Path message = ros_convert::path(graph.graph(), options_.map_frame);
+    nav_msgs::Path message = ros_convert::path(graph.graph(), options_.node.map_frame);
     message.header.stamp = stamp;
     path_.publish(message);
   }
   if (graph_.getNumSubscribers() > 0) {
-    portolan_msgs::PoseGraph message = ros_convert::pose_graph(graph, options_.map_frame);
+    portolan_msgs::PoseGraph message = ros_convert::pose_graph(graph, options_.node.map_frame);
     message.header.stamp = stamp;
     graph_.publish(message);
   }
   if (markers_.getNumSubscribers() > 0) {
-    markers_.publish(ros_convert::graph_markers(graph.graph(), options_.map_frame));
+    markers_.publish(ros_convert::graph_markers(graph.graph(), options_.node.map_frame));
   }
 }
 

@@ -40,12 +40,12 @@ PoseGraphNode::PoseGraphNode(const ros::NodeHandle& handle, const ros::NodeHandl
     pipeline_.poll(now());
     outputs_.publish_tf(ros::Time::now());
   });
-  every(options_.publish_interval, [this] { outputs_.publish(ros::Time::now()); });
-  every(options_.diagnostic_period, [this] { diagnostics_.force_update(); });
+  every(options_.node.publish_interval, [this] { outputs_.publish(ros::Time::now()); });
+  every(options_.node.diagnostic_period, [this] { diagnostics_.force_update(); });
 }
 
 void PoseGraphNode::subscribe() {
-  subscriptions_.add_poses(options_.odom_topic, pipeline_, &now);
+  subscriptions_.add_poses(options_.node.odom_topic, pipeline_, &now);
   for (const std::string& topic : options_.scan_topics) {
     subscriptions_.add<sensor_msgs::LaserScan>(
         topic, options_.posing.queue_size,
@@ -66,7 +66,7 @@ void PoseGraphNode::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
 }
 
 std::string PoseGraphNode::map_name() const {
-  return string_parameter(private_handle_, "map_name", options_.map_name);
+  return string_parameter(private_handle_, "map_name", options_.node.map_name);
 }
 
 }  // namespace portolan

@@ -11,7 +11,7 @@
 #include "portolan/map_file.hpp"
 #include "portolan_ros/convert/beacons.hpp"
 #include "portolan_ros/kinds/beacon_outputs.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 

@@ -10,7 +10,7 @@
 #include "portolan_ros/convert/point_cloud.hpp"
 #include "portolan_ros/convert/ranges.hpp"
 #include "portolan_ros/kinds/grid_outputs.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 

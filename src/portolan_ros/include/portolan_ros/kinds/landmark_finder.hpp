@@ -9,7 +9,7 @@
 #include "portolan/landmark/landmark_mapper.hpp"
 #include "portolan/landmark/scan_detectors.hpp"
 #include "portolan_ros/convert/landmarks.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 

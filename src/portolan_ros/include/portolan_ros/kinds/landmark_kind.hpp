@@ -12,7 +12,7 @@
 #include "portolan_ros/convert/landmarks.hpp"
 #include "portolan_ros/kinds/landmark_finder.hpp"
 #include "portolan_ros/kinds/landmark_outputs.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 

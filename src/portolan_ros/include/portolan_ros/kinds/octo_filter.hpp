@@ -9,7 +9,7 @@
 #include "portolan/octo/ground_filter.hpp"
 #include "portolan/octo/octo_mapper.hpp"
 #include "portolan_ros/convert/point_cloud.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 

@@ -14,7 +14,7 @@
 #include "portolan_ros/kinds/octo_filter.hpp"
 #include "portolan_ros/kinds/octo_outputs.hpp"
 #include "portolan_ros/kinds/octo_services.hpp"
-#include "portolan_ros/node_options.hpp"
+#include "portolan_ros/mapper_node_options.hpp"
 
 namespace portolan {
 
