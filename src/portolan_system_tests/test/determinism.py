@@ -17,9 +17,8 @@ from portolan_testing.subjects import SUBJECTS
 
 ROUND = subjects.SUBJECTS["occupancy_grid"]._replace(look=subjects.sees(
     subjects.scan, subjects.echo, subjects.cloud, subjects.sightings, subjects.ranges))
-# One topic for each map: which of two comes first is not the same in each run where their transform is there already.
-# (The grid may have several: each has a layer of its own.)
-PARAMETERS = {"octomap": {"scan_topics": []}, "landmarks": {"image_features_topics": []}}
+# Which of two topics comes first is not the same in each run, unless they wait for each other.
+IN_ORDER = {"tf_wait": 30.0, "order_wait": 1.0}
 RATES = (1.0, 4.0)
 
 
@@ -29,7 +28,8 @@ class Determinism(case.NodeCase):
         self.bag = self.folder / "round.bag"
         self.looks = {}
         with rosbag.Bag(str(self.bag), "w") as bag:
-            bag.write("/tf_static", mounts(), messages.time(999.0))
+            for stamp in (999.0, 1000.0 + 1.5 * len(PARTS) + 2.0):  # nothing waits for order after that
+                bag.write("/tf_static", mounts(), messages.time(stamp))
             for name in PARTS:
                 part = Part(ROUND, name, 1000.0 + 1.5 * PARTS.index(name), tail=1)
                 for topic, message in part.looks:
@@ -39,7 +39,7 @@ class Determinism(case.NodeCase):
                     bag.write("/" + topic, message, message.transforms[0].header.stamp)
 
     def parameters(self, program):
-        return {**SUBJECTS[program].parameters, **PARAMETERS.get(program, {}), "tf_wait": 30.0}
+        return {**SUBJECTS[program].parameters, **IN_ORDER}
 
     def offline(self, mappers, name, cores=None):
         """The files that bag_to_map leaves; it may use only these cores."""
@@ -65,12 +65,12 @@ class Determinism(case.NodeCase):
         """The files that all nodes save after the bag has been played at this rate."""
         namespace = self.new_namespace()
         nodes = {program: self.node(namespace, program=program, parameters=self.parameters(program),
-                                    remap={"drift_correction": "correction_of_nobody"}) for program in matrix.NODES}
+                                    remap={"drift_correction": f"what_{program}_hears"}) for program in matrix.NODES}
         subprocess.run(bags.play_command(self.bag, namespace, rate), stdin=subprocess.DEVNULL,
                        stdout=subprocess.DEVNULL, check=True)
         for program, node in nodes.items():
             for topic, noun in SUBJECTS[program].nouns.items():
-                if topic in self.looks and topic + "_topics" not in PARAMETERS.get(program, {}):
+                if topic in self.looks:
                     node.wait_for(noun, received=self.looks[topic], waiting=0)
             self.assertTrue(node.call("save").success)
         return files_of(self.folder / namespace[1:], "")
