@@ -110,7 +110,8 @@ struct BeaconOptions {
     visit("drift", self.drift, "how far poses drift per root of the way travelled [m/sqrt(m)]",
           at_least(0.0));
     visit("learn_drift", self.learn_drift,
-          "take that as a first guess and learn it from the ranges; off for poses known exactly");
+          "take that as a first guess and learn it from the ranges, up to half as much again; off "
+          "for poses known exactly");
     visit("learn_noise", self.learn_noise,
           "believe that ranges spread wider than they state where they do");
     visit("height", self.height, "of the beacons above the antenna, where the space is planar [m]");
