@@ -24,9 +24,11 @@ Pose interpolate(const Pose& a, const Pose& b, double fraction) {
 
 bool is_valid(const Pose& pose) {
   constexpr double kFurthest = 1e8;  // [m]
-  const Eigen::Matrix3d& R = pose.linear();
-  return pose.matrix().allFinite() && pose.translation().cwiseAbs().maxCoeff() < kFurthest &&
-         R.isUnitary(1e-6) && R.determinant() > 0.0;
+  const Eigen::Matrix3d R = pose.linear();
+  const Eigen::Matrix3d error = R.transpose() * R - Eigen::Matrix3d::Identity();
+  // All of these are false of what is not a number.
+  return (pose.translation().array().abs() < kFurthest).all() &&
+         (error.array().abs() <= 1e-6).all() && R.determinant() > 0.0;
 }
 
 double rotation_angle(const Pose& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define PORTOLAN_X86 1
+#include "portolan/grid/row_vectors.hpp"
+
+#ifdef PORTOLAN_HAS_WIDE_ROWS
 #include <immintrin.h>
 #endif
 
@@ -66,7 +67,7 @@ void occupy_row(CellByte* row, std::uint64_t occupied, const CellUpdate& u) {
   }
 }
 
-#ifdef PORTOLAN_X86
+#ifdef PORTOLAN_HAS_WIDE_ROWS
 
 // A row is one register and its bits are one mask.
 __attribute__((target("avx512bw"))) void update_cells_avx512(TileMap::Tile& tile,
@@ -87,10 +88,11 @@ __attribute__((target("avx512bw"))) void update_cells_avx512(TileMap::Tile& tile
     const __m512i before = _mm512_load_si512(row);
     const __m512i known =
         _mm512_mask_mov_epi8(before, _mm512_testn_epi8_mask(before, before), prior);
-    const __m512i freed = _mm512_sub_epi8(_mm512_max_epu8(known, floor), down);
-    const __m512i hit = _mm512_add_epi8(_mm512_min_epu8(known, ceiling), up);
-    const __m512i after = _mm512_mask_mov_epi8(before, known_free, freed);
-    _mm512_store_si512(row, _mm512_mask_mov_epi8(after, occupied[i], hit));
+    const __m512i freed =
+        _mm512_mask_sub_epi8(before, known_free, _mm512_max_epu8(known, floor), down);
+    const __m512i after =
+        _mm512_mask_add_epi8(freed, occupied[i], _mm512_min_epu8(known, ceiling), up);
+    _mm512_store_si512(row, after);
   }
 }
 
@@ -116,9 +118,10 @@ void cell_rows_detail::update_cells_portably(TileMap::Tile& tile, const TileBits
 
 void update_cells(TileMap::Tile& tile, const TileBits& free, const TileBits& occupied,
                   std::size_t begin, std::size_t end, const CellUpdate& update) {
-#ifdef PORTOLAN_X86
-  static const bool kHasAvx512 = __builtin_cpu_supports("avx512bw") != 0;
-  if (kHasAvx512) return update_cells_avx512(tile, free, occupied, begin, end, update);
+#ifdef PORTOLAN_HAS_WIDE_ROWS
+  if (row_vectors_detail::kHasAvx512) {
+    return update_cells_avx512(tile, free, occupied, begin, end, update);
+  }
 #endif
   cell_rows_detail::update_cells_portably(tile, free, occupied, begin, end, update);
 }

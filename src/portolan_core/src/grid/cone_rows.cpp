@@ -1,52 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan/grid/cone_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "portolan/grid/cell_rows.hpp"
 #include "portolan/grid/row_vectors.hpp"
 
 namespace portolan {
 
 namespace {
 
-constexpr double kFar = 1e5;  // [cell]: beyond every footprint
+constexpr int kSide = TileMap::kSide;
 
+// From the lower end of a tile [cell].
+double from_tile(std::int64_t fine, int tile) {
+  constexpr std::int64_t kFineSide = std::int64_t{kSide} * FinePoint::kCell;
+  return static_cast<double>(fine - tile * kFineSide) / FinePoint::kCell;
+}
+
+Cell tile_of(Cell cell) { return {cell.x >> TileMap::kSideLog2, cell.y >> TileMap::kSideLog2}; }
+
+/// Draws a cone, band by band of tiles.
 template <class Rows>
 class Pen {
  public:
-  static bool draw(const ConeRows& cone, double x, double y, std::size_t begin, std::size_t end,
-                   TileBits& free, TileBits& occupied) {
-    Words any{};
-    constexpr std::size_t kCount = Rows::kCount;
-    for (std::size_t first = begin & ~(kCount - 1); first < end; first += kCount) {
-      Words freed{};
-      Words all{};
-      draw(cone, x, middles() + (static_cast<double>(first) - y), freed, all);
-      const Words hit = all & ~freed;
-      std::memcpy(&free[first], &freed, sizeof(freed));
-      std::memcpy(&occupied[first], &hit, sizeof(hit));
-      any |= all;
+  Pen(const ConeRows& cone, TileMap& map, const CellUpdate& update, std::uint64_t revision)
+      : cone_(cone), map_(map), update_(update), revision_(revision) {}
+
+  bool draw() {
+    const Cell first = tile_of(cone_.covered.min);
+    const Cell last = tile_of({cone_.covered.max.x - 1, cone_.covered.max.y - 1});
+    bool is_empty = true;
+    for (int y = first.y; y <= last.y; ++y) {
+      begin_ = static_cast<std::size_t>(std::max(0, cone_.covered.min.y - y * kSide));
+      end_ = static_cast<std::size_t>(std::min(kSide, cone_.covered.max.y - y * kSide));
+      find_spans(from_tile(cone_.apex.y, y));
+      for (int x = first.x; x <= last.x; ++x) {
+        if (!draw_tile(from_tile(cone_.apex.x, x))) continue;
+        TileMap::Tile& tile = map_.at({x, y});
+        tile.revision = revision_;
+        update_cells(tile, free_, occupied_, begin_, end_, update_);
+        is_empty = false;
+      }
     }
-    std::uint64_t all = 0;
-    for (int i = 0; i < Rows::kCount; ++i) all |= any[i];
-    return all != 0;
+    return !is_empty;
   }
 
  private:
   using Doubles = typename Rows::Doubles;
   using Words = typename Rows::Words;
+  static constexpr std::size_t kCount = Rows::kCount;
 
-  static void draw(const ConeRows& cone, double x, Doubles y, Words& freed, Words& all) {
-    const Doubles near = half_width(cone.free_square, y);
-    const Doubles far = half_width(cone.reach_square, y);
-    for (std::size_t i = 0; i < cone.count; ++i) {
-      const ConeRows::Wedge& wedge = cone.wedges[i];
-      const Doubles from = max(x_of(wedge.from[0], y), x_of(wedge.from[1], y));
-      const Doubles to = min(x_of(wedge.to[0], y), x_of(wedge.to[1], y));
-      freed |= bits_from(x + max(from, -near)) & ~bits_from(x + min(to, near));
-      all |= bits_from(x + max(from, -far)) & ~bits_from(x + min(to, far));
+  /// Where a wedge lies in a few rows.
+  struct Spans {
+    Doubles from, free_from, free_to, to;
+  };
+
+  std::size_t first_row() const { return begin_ & ~(kCount - 1); }
+
+  // Of the covered rows of a band in which the apex has this y.
+  void find_spans(double y_apex) {
+    for (std::size_t row = first_row(); row < end_; row += kCount) {
+      const Doubles y = middles() + (static_cast<double>(row) - y_apex);
+      const Doubles near = half_width(cone_.free_square, y);
+      const Doubles far = half_width(cone_.reach_square, y);
+      for (std::size_t i = 0; i < cone_.count; ++i) {
+        const ConeRows::Wedge& wedge = cone_.wedges[i];
+        const Doubles from = max(x_of(wedge.from[0], y), x_of(wedge.from[1], y));
+        const Doubles to = min(x_of(wedge.to[0], y), x_of(wedge.to[1], y));
+        spans_[row / kCount][i] = {max(from, -far), max(from, -near), min(to, near), min(to, far)};
+      }
     }
+  }
+
+  // In a tile in which the apex has this x; false where it has no cell there.
+  bool draw_tile(double x) {
+    Words any{};
+    for (std::size_t row = first_row(); row < end_; row += kCount) {
+      Words free{};
+      Words all{};
+      for (std::size_t i = 0; i < cone_.count; ++i) {
+        const Spans& spans = spans_[row / kCount][i];
+        free |= bits_from(x + spans.free_from) & ~bits_from(x + spans.free_to);
+        all |= bits_from(x + spans.from) & ~bits_from(x + spans.to);
+      }
+      const Words occupied = all & ~free;
+      std::memcpy(&free_[row], &free, sizeof(free));
+      std::memcpy(&occupied_[row], &occupied, sizeof(occupied));
+      any |= all;
+    }
+    std::array<std::uint64_t, kCount> words;
+    std::memcpy(words.data(), &any, sizeof(any));
+    return std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
   }
 
   static Doubles x_of(const ConeRows::Line& line, Doubles y) {
@@ -56,15 +103,17 @@ class Pen {
   // Half the width of a disc; negative where the disc does not reach the row.
   static Doubles half_width(double square_radius, Doubles y) {
     const Doubles rest = square_radius - y * y;
-    return rest < 0.0 ? Doubles{} - kFar : sqrt(max(rest, Doubles{}));
+    return rest < 0.0 ? Doubles{} - ConeRows::kFar : sqrt(rest);
   }
 
-  // The bits of the columns whose centres lie at x or right of it.
+  // The bits of the columns whose centres lie right of x; none lies at it. Adding so large a number
+  // rounds, and leaves what was rounded in the lowest bits.
   static Words bits_from(Doubles x) {
-    const Doubles limited = min(max(x + 0.5, Doubles{}), Doubles{} + TileMap::kSide);
-    const auto column = __builtin_convertvector(limited, typename Rows::Ints);
-    const Words count = __builtin_convertvector(column, Words);
-    return ~Words{} << (count >> 1) << (count - (count >> 1));  // by 64 in two halves
+    constexpr double kLarge = 0x1p52;
+    const Doubles rounded = max(x, Doubles{}) + kLarge;
+    Words count;
+    std::memcpy(&count, &rounded, sizeof(count));
+    return rounded < kLarge + kSide ? ~Words{} << (count & (kSide - 1)) : Words{};
   }
 
   static Doubles middles() {
@@ -78,47 +127,30 @@ class Pen {
     for (int i = 0; i < Rows::kCount; ++i) a[i] = std::sqrt(a[i]);
     return a;
   }
+
+  const ConeRows& cone_;
+  TileMap& map_;
+  const CellUpdate& update_;
+  std::uint64_t revision_;
+  // Of the band at hand.
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+  std::array<std::array<Spans, ConeRows::kMaxWedges>, kSide / kCount> spans_;
+  // Of the tile at hand.
+  TileBits free_;
+  TileBits occupied_;
 };
-
-// A horizontal line is taken as falling by half a fine point on its way out, so that centres upon
-// it are in where it is a lower side and out where it is an upper one. The nudge decides exact ties
-// of the others.
-ConeRows::Line line(FinePoint p) {
-  return {p.x / (p.y == 0 ? -0.5 : static_cast<double>(p.y)), -fine_walk::kNudge};
-}
-
-// A square between those of all distances of whole fine points below the radius and the rest, so
-// that there are no ties.
-double square_below(std::int64_t radius) {
-  constexpr double kSquareCell = 1.0 * FinePoint::kCell * FinePoint::kCell;
-  return (static_cast<double>(radius * radius) - 0.5) / kSquareCell;
-}
 
 }  // namespace
 
-void ConeRows::add(FinePoint right, FinePoint left) {
-  Wedge& wedge = wedges[count++];
-  wedge.from = {Line{0.0, -kFar}, Line{0.0, -kFar}};
-  wedge.to = {Line{0.0, kFar}, Line{0.0, kFar}};
-  (right.y > 0 ? wedge.to : wedge.from)[0] = line(right);
-  (left.y > 0 ? wedge.from : wedge.to)[1] = line(left);
-}
-
-void ConeRows::set_radii(std::int64_t free, std::int64_t reach) {
-  free_square = square_below(free);
-  reach_square = square_below(reach);
-}
-
-bool draw_rows(const ConeRows& cone, double x, double y, std::size_t begin, std::size_t end,
-               TileBits& free, TileBits& occupied) {
+bool ConeRows::apply(TileMap& map, const CellUpdate& update, std::uint64_t revision) const {
   return with_widest_rows(
-      [&](auto by) { return Pen<decltype(by)>::draw(cone, x, y, begin, end, free, occupied); });
+      [&](auto by) { return Pen<decltype(by)>(*this, map, update, revision).draw(); });
 }
 
-bool cone_rows_detail::draw_rows_portably(const ConeRows& cone, double x, double y,
-                                          std::size_t begin, std::size_t end, TileBits& free,
-                                          TileBits& occupied) {
-  return Pen<TwoRows>::draw(cone, x, y, begin, end, free, occupied);
+bool ConeRows::apply_portably(TileMap& map, const CellUpdate& update,
+                              std::uint64_t revision) const {
+  return Pen<TwoRows>(*this, map, update, revision).draw();
 }
 
 }  // namespace portolan

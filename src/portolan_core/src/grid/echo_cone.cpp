@@ -10,18 +10,14 @@ namespace portolan {
 
 namespace {
 
-constexpr int kSide = TileMap::kSide;
-
 // The radii in which cells are free, and from there on occupied [m].
 struct Rings {
   double free = 0.0;
   double occupied = 0.0;
 };
 
-Rings rings(const RangeEcho& echo, const GridOptions& options) {
-  const SonarModel& model = options.sonar;
+Rings rings(const RangeEcho& echo, const SonarModel& model) {
   const double reach = std::min(model.max_range, echo.range_max);
-  const double d = std::max(model.margin, options.resolution / 2.0);
   switch (range_reading(echo.range, echo.range_min, echo.range_max)) {
     case RangeReading::no_information:
       return {};
@@ -31,109 +27,81 @@ Rings rings(const RangeEcho& echo, const GridOptions& options) {
       break;
   }
   if (echo.range > model.max_range) return {reach, 0.0};
-  return {std::max(0.0, echo.range - d), echo.range + d};
+  return {std::max(0.0, echo.range - model.margin), echo.range + model.margin};
 }
 
-// `direction`, which was seen along the x axis, as it is seen along `axis`.
-Eigen::Vector2d turned(const Eigen::Vector2d& direction, const Eigen::Vector2d& axis) {
-  return {direction.x() * axis.x() - direction.y() * axis.y(),
-          direction.x() * axis.y() + direction.y() * axis.x()};
-}
-
-Cell tile_of(Cell cell) { return {cell.x >> TileMap::kSideLog2, cell.y >> TileMap::kSideLog2}; }
-
-// From the lower end of a tile [cell].
-double from_tile(std::int64_t fine, int tile) {
-  constexpr std::int64_t kFineSide = std::int64_t{kSide} * Footprint::kFine;
-  return static_cast<double>(fine - tile * kFineSide) / Footprint::kFine;
+// The cell that lies so far from there [1/1024 cell].
+std::int32_t cell(std::int64_t from, double by) {
+  return static_cast<std::int32_t>((from + static_cast<std::int64_t>(by)) >> Footprint::kFineLog2);
 }
 
 }  // namespace
 
-bool EchoCone::place(const RangeEcho& echo, const Pose& T_map_sensor, const GridOptions& options) {
-  look_up_aperture(echo.aperture);
-  const FineGrid grid(options.resolution);
-  const Eigen::Vector2d axis_in_plane = T_map_sensor.linear().col(0).head<2>();
-  const double projected = axis_in_plane.norm();
-  const Eigen::Vector2d axis = axis_in_plane / projected;
-  const Rings seen = rings(echo, options);
-  const std::int64_t free = grid.length(seen.free * projected);
-  const std::int64_t reach = std::max(free, grid.length(seen.occupied * projected));
-  const double radius = static_cast<double>(reach) / grid.scale();
-  apex_ = grid.anchor(T_map_sensor.translation());
-  rows_.set_radii(free, reach);
-  place_wedges(axis, 1.5 * (radius + options.resolution), grid);
-  return cover(axis, radius, grid);
+EchoCone::EchoCone(const GridOptions& options)
+    : grid_(options.resolution),
+      model_(options.sonar),
+      side_(options.resolution),
+      least_level_(std::cos(options.max_tilt)) {
+  model_.margin = std::max(model_.margin, side_ / 2.0);
 }
 
-void EchoCone::look_up_aperture(double aperture) {
-  if (aperture_ == aperture) return;
+Outcome EchoCone::place(const RangeEcho& echo, const Pose& T_map_sensor) {
+  if (!is_usable(echo)) return Outcome::unusable;
+  const double x = T_map_sensor(0, 0);
+  const double y = T_map_sensor(1, 0);
+  const double level = std::sqrt(x * x + y * y);
+  if (level < least_level_) return Outcome::rejected;
+  if (echo.aperture != aperture_) look_up(echo.aperture);
+  const Rings seen = rings(echo, model_);
+  const std::int64_t free = grid_.length(seen.free * level);
+  const std::int64_t reach = std::max(free, grid_.length(seen.occupied * level));
+  rows_.apex = grid_.anchor(T_map_sensor.translation());
+  rows_.set_radii(free, reach);
+  place_wedges({x / level, y / level}, static_cast<double>(reach));
+  const CellRect& covered = rows_.covered;
+  const bool fits =
+      covered.width() <= Footprint::kMaxSide && covered.height() <= Footprint::kMaxSide;
+  return fits ? Outcome::inserted : Outcome::unusable;
+}
+
+void EchoCone::look_up(double aperture) {
   aperture_ = aperture;
   wedges_ = static_cast<std::size_t>(std::ceil(aperture / (M_PI / 2.0)));
   for (std::size_t i = 0; i <= wedges_; ++i) {
     const double angle = aperture * (static_cast<double>(i) / static_cast<double>(wedges_) - 0.5);
-    directions_[i] = {std::cos(angle), std::sin(angle)};
+    sides_[i] = {std::cos(angle), std::sin(angle)};
   }
+  const bool is_round = aperture >= 2.0 * M_PI;
+  if (is_round) sides_[wedges_] = sides_[0];
+  half_cosine_ = is_round ? -1.0 : sides_[0].x;
 }
 
-void EchoCone::place_wedges(const Eigen::Vector2d& axis, double radius, const FineGrid& grid) {
-  const auto side = [&](std::size_t i) {
-    const Eigen::Vector2d p = radius * turned(directions_[i], axis);
-    return grid.point(p.x(), p.y());
-  };
-  const FinePoint first = side(0);
-  FinePoint right = first;
+// Beyond its reach the wedges' sides go on [1/1024 cell].
+void EchoCone::place_wedges(Direction axis, double reach) {
+  const double radius = 1.5 * (reach / grid_.scale() + side_);
+  const Direction first = sides_[0].turned(axis);
+  Direction side = first;
+  FinePoint right = grid_.point(radius * side.x, radius * side.y);
   rows_.count = 0;
   for (std::size_t i = 1; i <= wedges_; ++i) {
-    const bool closes = i == wedges_ && aperture_ >= 2.0 * M_PI;
-    const FinePoint left = closes ? first : side(i);
+    side = sides_[i].turned(axis);
+    const FinePoint left = grid_.point(radius * side.x, radius * side.y);
     rows_.add(right, left);
     right = left;
   }
+  rows_.covered = {{cell(rows_.apex.x, -reach * extent(-axis.x, -first.x, -side.x)),
+                    cell(rows_.apex.y, -reach * extent(-axis.y, -first.y, -side.y))},
+                   {cell(rows_.apex.x, reach * extent(axis.x, first.x, side.x)) + 1,
+                    cell(rows_.apex.y, reach * extent(axis.y, first.y, side.y)) + 1}};
 }
 
-// Finds the rectangle around the cone's part within `radius` [m].
-bool EchoCone::cover(const Eigen::Vector2d& axis, double radius, const FineGrid& grid) {
-  FineBounds bounds;
-  const auto add = [&](const Eigen::Vector2d& direction) {
-    bounds.add(grid.point(radius * direction.x(), radius * direction.y()));
-  };
-  add(turned(directions_[0], axis));
-  add(turned(directions_[wedges_], axis));
-  const double half_cosine = aperture_ < 2.0 * M_PI ? directions_[0].x() : -1.0;
-  if (axis.x() >= half_cosine) add({1.0, 0.0});
-  if (axis.y() >= half_cosine) add({0.0, 1.0});
-  if (-axis.x() >= half_cosine) add({-1.0, 0.0});
-  if (-axis.y() >= half_cosine) add({0.0, -1.0});
-  const auto cell = [](std::int64_t fine) {
-    return static_cast<std::int32_t>(fine >> Footprint::kFineLog2);
-  };
-  covered_ = {{cell(apex_.x + bounds.min.x), cell(apex_.y + bounds.min.y)},
-              {cell(apex_.x + bounds.max.x) + 1, cell(apex_.y + bounds.max.y) + 1}};
-  return covered_.width() <= Footprint::kMaxSide && covered_.height() <= Footprint::kMaxSide;
+// How far a cone of unit reach goes along an axis of the map.
+double EchoCone::extent(double axis, double right, double left) const {
+  return axis >= half_cosine_ ? 1.0 : std::max(0.0, std::max(right, left));
 }
 
 CellRect EchoCone::apply(TileMap& map, const CellUpdate& update, std::uint64_t revision) const {
-  const Cell first = tile_of(covered_.min);
-  const Cell last = tile_of({covered_.max.x - 1, covered_.max.y - 1});
-  bool is_empty = true;
-  TileBits free;
-  TileBits occupied;
-  for (int y = first.y; y <= last.y; ++y) {
-    const auto begin = static_cast<std::size_t>(std::max(0, covered_.min.y - y * kSide));
-    const auto end = static_cast<std::size_t>(std::min(kSide, covered_.max.y - y * kSide));
-    for (int x = first.x; x <= last.x; ++x) {
-      if (!draw_rows(rows_, from_tile(apex_.x, x), from_tile(apex_.y, y), begin, end, free,
-                     occupied)) {
-        continue;
-      }
-      TileMap::Tile& tile = map.at({x, y});
-      tile.revision = revision;
-      is_empty = false;
-      update_cells(tile, free, occupied, begin, end, update);
-    }
-  }
-  return is_empty ? CellRect{} : covered_;
+  return rows_.apply(map, update, revision) ? rows_.covered : CellRect{};
 }
 
 }  // namespace portolan

@@ -89,7 +89,8 @@ CellByte cell_in(const TileMap::Tile* tile, std::size_t place) {
 
 }  // namespace
 
-GridMapper::GridMapper(const Options& options) : options_(checked(options)), log_odds_(options_) {
+GridMapper::GridMapper(const Options& options)
+    : options_(checked(options)), log_odds_(options_), cone_(options_) {
   sheets_[index(GridLayer::laser)].update = log_odds_.update(options_.laser);
   sheets_[index(GridLayer::sonar)].update = log_odds_.update(options_.sonar);
   sheets_[index(GridLayer::cloud)].update = log_odds_.update(options_.cloud);
@@ -123,7 +124,7 @@ Outcome GridMapper::insert(const Observation& z, const Pose& T_map_sensor) {
     if constexpr (std::is_same_v<Seen, RangeScan>) {
       return draw(seen, T_map_sensor, options_, fan_, footprint_);
     } else if constexpr (std::is_same_v<Seen, RangeEcho>) {
-      return draw(seen, T_map_sensor, options_, cone_);
+      return cone_.place(seen, T_map_sensor);
     } else {
       return draw(seen, T_map_sensor, options_, footprint_);
     }

@@ -9,9 +9,8 @@
 namespace portolan {
 namespace {
 
-constexpr std::size_t kSide = TileMap::kSide;
-
-// Cones of any direction, aperture and reach, every other one with its sides along axes.
+// Cones of any place, direction, aperture and reach, every other one with its sides along axes and
+// its apex at a centre or corner.
 ConeRows random_cone(std::mt19937& random) {
   std::uniform_real_distribution<double> any(0.0, 1.0);
   const bool is_round = any(random) < 0.5;
@@ -25,30 +24,38 @@ ConeRows random_cone(std::mt19937& random) {
   };
   ConeRows cone;
   for (int i = 0; i < wedges; ++i) cone.add(side(i), side(i + 1));
-  const auto reach = static_cast<std::int64_t>(60.0 * FinePoint::kCell * any(random));
+  const int cells = static_cast<int>(60.0 * any(random));
+  const std::int64_t reach = std::int64_t{cells} * FinePoint::kCell;
   cone.set_radii(std::max(std::int64_t{0}, reach - 2 * FinePoint::kCell), reach);
+  const int grain = is_round ? FinePoint::kCell / 2 : 1;
+  std::uniform_int_distribution<int> place(-200 * FinePoint::kCell / grain,
+                                           200 * FinePoint::kCell / grain);
+  cone.apex = {std::int64_t{grain} * place(random), std::int64_t{grain} * place(random)};
+  const Cell apex{static_cast<std::int32_t>(cone.apex.x >> FinePoint::kCellLog2),
+                  static_cast<std::int32_t>(cone.apex.y >> FinePoint::kCellLog2)};
+  cone.covered = {{apex.x - cells, apex.y - cells}, {apex.x + cells + 1, apex.y + cells + 1}};
   return cone;
 }
 
 TEST(ConeRows, AreTheSameWithAndWithoutVectorsOfTheProcessor) {
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> halves(-60, 180);
+  const CellUpdate update = LogOdds(GridOptions{}).update(SonarModel{});
   std::size_t drawn = 0;
-  for (int round = 0; round < 500; ++round) {
+  for (std::uint64_t round = 0; round < 500; ++round) {
     const ConeRows cone = random_cone(random);
-    const double x = 0.5 * halves(random);
-    const double y = 0.5 * halves(random);
-    TileBits free{}, occupied{}, portably_free{}, portably_occupied{};
-    const bool any = draw_rows(cone, x, y, 0, kSide, free, occupied);
-    EXPECT_EQ(any, cone_rows_detail::draw_rows_portably(cone, x, y, 0, kSide, portably_free,
-                                                        portably_occupied));
-    drawn += any ? 1 : 0;
-    for (std::size_t i = 0; i < kSide; ++i) {
-      ASSERT_EQ(free[i], portably_free[i]) << "round " << round << " row " << i;
-      ASSERT_EQ(occupied[i], portably_occupied[i]) << "round " << round << " row " << i;
+    TileMap map;
+    TileMap portable;
+    EXPECT_EQ(cone.apply(map, update, round), cone.apply_portably(portable, update, round));
+    ASSERT_EQ(map.tiles().size(), portable.tiles().size()) << "round " << round;
+    for (const TileMap::Tile& tile : map.tiles()) {
+      const TileMap::Tile* other = portable.find(tile.index);
+      ASSERT_NE(other, nullptr) << "round " << round;
+      EXPECT_EQ(tile.revision, other->revision);
+      ASSERT_TRUE(tile.cells == other->cells) << "round " << round;
+      drawn += 1;
     }
   }
-  EXPECT_GT(drawn, 100U);
+  EXPECT_GT(drawn, 500U);
 }
 
 }  // namespace

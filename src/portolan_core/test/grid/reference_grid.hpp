@@ -11,7 +11,8 @@
 
 namespace portolan {
 
-/// The slow grid map: every cell within reach is asked, by the definitions in draw.hpp and Eq. 7.
+/// The slow grid map: every cell within reach is asked, by the definitions in draw.hpp
+/// and echo_cone.hpp and Eq. 7.
 class ReferenceGrid {
  public:
   explicit ReferenceGrid(const GridOptions& options) : options_(options) {}

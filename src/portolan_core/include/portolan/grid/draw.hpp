@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "portolan/grid/echo_cone.hpp"
 #include "portolan/grid/footprint.hpp"
 #include "portolan/grid/grid_options.hpp"
 #include "portolan/grid/scan_fan.hpp"
 #include "portolan/observation/point_cloud.hpp"
-#include "portolan/observation/range_echo.hpp"
 #include "portolan/observation/range_scan.hpp"
 #include "portolan/outcome.hpp"
 #include "portolan/pose.hpp"
 
 namespace portolan {
 
-// The inverse sensor models: each draws what one observation says into an open footprint, and says
-// whether it may be put into the map. The pose must be valid.
+// The inverse sensor models of lasers and clouds; EchoCone is that of sonars. Each draws what one
+// observation says into an open footprint, and says whether it may be put into the map. The pose
+// must be valid.
 
 /// A planar scan. Sector model: free is the polygon from the sensor along its echoes (drawn back by
 /// the margin), so that each beam stands for the angular step about it, with the range running
@@ -31,10 +30,6 @@ namespace portolan {
 /// it did then; sectors reach from there to where it stood half way.
 Outcome draw(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options,
              ScanFan& fan, Footprint& footprint);
-
-/// An echo within a cone: R_f, R_o and R_u of the chapter, cells judged by their centres.
-Outcome draw(const RangeEcho& echo, const Pose& T_map_sensor, const GridOptions& options,
-             EchoCone& cone);
 
 /// A cloud: each ray frees the cells under its part inside the height band, thin, and occupies the
 /// cell of its end where that lies in the band.

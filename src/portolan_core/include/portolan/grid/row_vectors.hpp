@@ -17,7 +17,6 @@ namespace portolan {
 struct TwoRows {
   static constexpr int kCount = 2;
   using Doubles = double __attribute__((vector_size(16)));
-  using Ints = std::int32_t __attribute__((vector_size(8)));
   using Words = std::uint64_t __attribute__((vector_size(16)));
 };
 
@@ -25,7 +24,6 @@ struct TwoRows {
 struct FourRows {
   static constexpr int kCount = 4;
   using Doubles = double __attribute__((vector_size(32)));
-  using Ints = std::int32_t __attribute__((vector_size(16)));
   using Words = std::uint64_t __attribute__((vector_size(32)));
 };
 
@@ -33,7 +31,6 @@ struct FourRows {
 struct EightRows {
   static constexpr int kCount = 8;
   using Doubles = double __attribute__((vector_size(64)));
-  using Ints = std::int32_t __attribute__((vector_size(32)));
   using Words = std::uint64_t __attribute__((vector_size(64)));
 };
 
@@ -41,7 +38,8 @@ struct EightRows {
 
 namespace row_vectors_detail {
 
-inline const bool kHasAvx512 = __builtin_cpu_supports("avx512dq") != 0;
+inline const bool kHasAvx512 =
+    __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512dq") != 0;
 inline const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
 
 template <class Work>
