@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "beacon/grid_filter.hpp"
 #include "beacon/scenario.hpp"
 #include "portolan/beacon/expected_information.hpp"
 
@@ -100,29 +98,6 @@ TEST(BeaconMapper, SaysToDriveOffTheLineThatLeavesAMirrorImage) {
       expected_information(beacon.modes, here + Eigen::Vector3d(1.0, 0.0, 0.0), 0.1);
   EXPECT_GT(std::abs(beacon.drive->direction.y()), 0.3);
   EXPECT_GT(told, straight_on + 0.9 * std::log(2.0));  // ln 2: which of two it is
-}
-
-TEST_P(BeaconMapperBothWays, MatchesTheGridFilterAfterOneTwoFiveAndTwentyRanges) {
-  const bool polar = GetParam() == BeaconParametrization::polar;
-  const std::array<double, 4> bounds = polar ? std::array<double, 4>{0.08, 0.1, 0.12, 0.15}
-                                             : std::array<double, 4>{0.01, 0.04, 0.12, 0.2};
-  for (std::uint32_t seed = 0; seed < 2; ++seed) {
-    BeaconOptions alone = options();
-    alone.outliers.share = 1e-9;  // Eq. 36 alone
-    BeaconMapper mapper(alone);
-    beacon_test::GridFilter exact(8.0, 0.05);
-    Dice dice(seed);
-    std::size_t compared = 0;
-    for (int step = 0; step < 20; ++step) {
-      const Pose pose = beacon_test::figure_11(step, kStraight);
-      const double range = (kBeacon - pose.translation()).norm() + dice.normal(0.2);
-      mapper.insert(one_range(0, range, 0.2), pose);
-      exact.update(pose.translation().head<2>(), range, 0.2);
-      if (step != 0 && step != 1 && step != 4 && step != 19) continue;
-      const double variation = exact.total_variation(mapper.estimates()[0].modes);
-      EXPECT_LT(variation, bounds[compared++]) << "seed " << seed << ", ranges " << step + 1;
-    }
-  }
 }
 
 TEST(BeaconMapper, SurvivesThousandsOfRanges) {
