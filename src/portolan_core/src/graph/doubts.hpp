@@ -8,6 +8,11 @@
 
 namespace portolan {
 
+/// Whether some arc is turned by more than an angle [rad] beyond what was measured.
+template <class Motion>
+bool is_turned_beyond(double angle, const Problem<Motion>& problem,
+                      const std::vector<typename Motion::State>& states);
+
 /// True where coordinates look like a wrong minimum whatever the weights of the arcs: the turns
 /// that are left over round a loop add up to a whole turn instead of nothing, or an arc is turned
 /// by more than a right angle.

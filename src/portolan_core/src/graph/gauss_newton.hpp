@@ -9,6 +9,11 @@
 
 namespace portolan {
 
+/// Whether poses are turned within 0.1 rad of each other's everywhere.
+template <class Motion>
+bool are_turned_alike(const Problem<Motion>& problem, const std::vector<typename Motion::State>& a,
+                      const std::vector<typename Motion::State>& b);
+
 /// Goes downhill from given coordinates by Gauss-Newton steps; where one fails, by shorter ones,
 /// and where those fail, damped after Levenberg.
 template <class Motion>
@@ -41,6 +46,9 @@ class GaussNewton {
  private:
   bool improve(States& states, const Kernel& kernel, const Limits& limits, Descent& descent);
   bool solve(Descent& descent);
+  bool solve_with_factor();
+  double promise() const { return -equations_.g.dot(step_); }
+  void damp();
   double left_after(double promise, const Descent& descent);
   bool leads_to_known(const Limits& limits, const States& states, double cost) const;
   double step(States& states, const Kernel& kernel, Descent& descent);
@@ -52,6 +60,7 @@ class GaussNewton {
   Eigen::VectorXd step_;
   States tried_;
   double damping_ = 0.0;
+  bool is_kept_ = false;       // the factor, from the step before
   double last_promise_ = 0.0;  // of an undamped step before this one; 0: none
 };
 

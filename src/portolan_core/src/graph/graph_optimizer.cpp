@@ -10,6 +10,7 @@
 #include "graph/doubts.hpp"
 #include "graph/gauss_newton.hpp"
 #include "graph/rotation_start.hpp"
+#include "graph/turn_average.hpp"
 #include "graph/winding.hpp"
 
 namespace portolan {
@@ -20,7 +21,8 @@ constexpr double kSame = 1e-3;       // relative difference of costs that counts
 constexpr double kSingular = 1e-12;  // pivot, relative
 constexpr double kSigmas = 5.0;      // that a loop's turns may be off, with arcs as they fit
 constexpr std::size_t kMostWindings = 6;
-constexpr double kGraduation = 2.0;  // from one kernel to the next, less convex one
+constexpr double kTurnedFar = 0.25 * M_PI;  // arcs, in a minimum that takes little to confirm [rad]
+constexpr double kGraduation = 2.0;         // from one kernel to the next, less convex one
 
 // One optimisation of one graph.
 template <class Motion>
@@ -46,13 +48,17 @@ class Run {
     Result best = descend(starts.front(), nullptr);
     bool disputed = false;
     const bool ask = options_.start == GraphStart::best || !looks_right(best);
+    std::vector<OtherWinding> others = likely_windings(best);
     for (std::size_t i = 1; ask && i < starts.size() && (i < 2 || disputed); ++i) {
+      if (others.empty() && is_confirmed_by(starts[i].states, best)) continue;
       Result other = descend(starts[i], &best);
       if (!differs(other, best)) continue;
       disputed = true;
-      if (other.descent.cost < best.descent.cost) best = std::move(other);
+      if (best.descent.cost <= other.descent.cost) continue;
+      best = std::move(other);
+      others = likely_windings(best);
     }
-    if (ask) disputed = rewind(best) || disputed;
+    if (ask) disputed = rewind(best, std::move(others)) || disputed;
     doubt(Doubt::other_minimum, disputed);
     conclude(best, graph);
     return std::move(report_);
@@ -105,12 +111,26 @@ class Run {
                                     forward ? T_from_to : Motion::inverse(T_from_to));
   }
 
+  // Whether turns alone lead to the same orientations from a start and from a minimum that leaves
+  // no arc turned far off: positions would follow. If not, the start is where they lead. With a
+  // kernel positions do not follow.
+  bool is_confirmed_by(States& start, const Result& best) const {
+    if (kernel_.shape != RobustKernel::none) return false;
+    if (is_turned_beyond(kTurnedFar, problem_, best.states)) return false;
+    States known = best.states;
+    States turned = start;
+    if (!average_turns(problem_, pattern_, known)) return false;
+    if (!average_turns(problem_, pattern_, turned)) return false;
+    if (are_turned_alike(problem_, turned, known)) return true;
+    if (put_in_place(problem_, pattern_, turned)) start = std::move(turned);
+    return false;
+  }
+
   // Winds loops the other way whose headings would not mind much, the likeliest first. What is
   // better then is another minimum; what could not be tried leaves a doubt.
-  bool rewind(Result& best) {
+  bool rewind(Result& best, std::vector<OtherWinding> others) {
     bool better = false;
     std::set<std::size_t> tried;
-    std::vector<OtherWinding> others = likely_windings(best);
     while (const auto other = first_but(tried, others)) {
       doubt(Doubt::wound_up, tried.size() == kMostWindings);
       if (tried.size() == kMostWindings) break;

@@ -13,10 +13,12 @@ struct PlanarMotion {
   static constexpr int kSize = 3;
   static constexpr int kSpace = 2;        ///< coordinates of a position
   static constexpr int kTurnColumns = 1;  ///< of a rotation matrix, that determine the others
+  static constexpr int kTurns = 1;        ///< axes of the map to turn about
   using Vector = Eigen::Vector3d;
   using Matrix = Eigen::Matrix3d;
   using Point = Eigen::Vector2d;
   using Turn = Eigen::Matrix2d;
+  using TurnVector = Eigen::Matrix<double, kTurns, 1>;
 
   struct State {
     Point t = Point::Zero();
@@ -55,6 +57,19 @@ struct PlanarMotion {
 
   /// Of the angle between two headings.
   static double cosine_between(const State& a, const State& b) { return a.c * b.c + a.s * b.s; }
+
+  /// By which rotation, about axes of the map, an arc's end is turned beyond what was measured.
+  static TurnVector turn_left(const State& from, const State& to, const State& measured) {
+    return TurnVector::Constant(wrap_angle(to.heading - from.heading - measured.heading));
+  }
+  /// The angle of that rotation.
+  static double angle_left(const State& from, const State& to, const State& measured) {
+    return std::abs(turn_left(from, to, measured)[0]);
+  }
+  /// Turned where it stands, about axes of the map.
+  static State turned_on(const State& x, const TurnVector& turn) {
+    return turned(x.t, wrap_angle(x.heading + turn[0]));
+  }
 
   static State composed(const State& a, const State& b) {
     return turned(a.t + turn(a) * b.t, a.heading + b.heading);

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
 
 #include "portolan/graph/arc.hpp"
 
@@ -13,10 +15,12 @@ struct SpatialMotion {
   static constexpr int kSize = 6;
   static constexpr int kSpace = 3;        ///< coordinates of a position
   static constexpr int kTurnColumns = 3;  ///< of a rotation matrix, that determine the others
+  static constexpr int kTurns = 3;        ///< axes of the map to turn about
   using Vector = Tangent;
   using Matrix = TangentMatrix;
   using Point = Eigen::Vector3d;
   using Turn = Eigen::Matrix3d;
+  using TurnVector = Eigen::Vector3d;
 
   struct State {
     Point t = Point::Zero();
@@ -62,6 +66,20 @@ struct SpatialMotion {
     return 2.0 * half * half - 1.0;
   }
 
+  /// By which rotation, about axes of the map, an arc's end is turned beyond what was measured: to
+  /// first order, twice the sine of half the angle at most.
+  static TurnVector turn_left(const State& from, const State& to, const State& measured) {
+    return to.R * (2.0 * error(from, to, measured).vec());
+  }
+  /// The angle of that rotation.
+  static double angle_left(const State& from, const State& to, const State& measured) {
+    return 2.0 * std::asin(std::min(1.0, error(from, to, measured).vec().norm()));
+  }
+  /// Turned where it stands, about axes of the map.
+  static State turned_on(const State& x, const TurnVector& turn) {
+    return turned(x.t, (rotation(turn) * x.q).normalized());
+  }
+
   static State composed(const State& a, const State& b) {
     return turned(a.t + a.R * b.t, (a.q * b.q).normalized());
   }
@@ -72,6 +90,11 @@ struct SpatialMotion {
   static Linearized linearize(const State& from, const State& to, const State& measured);
 
  private:
+  static Eigen::Quaterniond rotation(const Point& turn) {
+    const double angle = turn.norm();
+    const Point axis = angle > 0.0 ? Point(turn / angle) : Point(Point::UnitX());
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+  }
   static Turn cross(const Point& p) {
     Turn m;
     m << 0.0, -p.z(), p.y(), p.z(), 0.0, -p.x(), -p.y(), p.x(), 0.0;
@@ -94,11 +117,7 @@ inline SpatialMotion::State SpatialMotion::with_turn(const State& x, const Turn&
 }
 
 inline SpatialMotion::State SpatialMotion::moved(const State& x, const Vector& v) {
-  const Point turn = v.tail<3>();
-  const double angle = turn.norm();
-  const Point axis = angle > 0.0 ? Point(turn / angle) : Point(Point::UnitX());
-  const Eigen::Quaterniond dq(Eigen::AngleAxisd(angle, axis));
-  return turned(x.t + x.R * v.head<3>(), (x.q * dq).normalized());
+  return turned(x.t + x.R * v.head<3>(), (x.q * rotation(v.tail<3>())).normalized());
 }
 
 inline SpatialMotion::Vector SpatialMotion::residual(const State& from, const State& to,
