@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <functional>
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,26 +15,14 @@
 namespace portolan::bench {
 namespace {
 
-using Places = std::map<BeaconId, Eigen::Vector3d>;
-
 // Poses are known and the device reads true, as the peer takes for granted.
-BeaconMapper our_beacons(const BeaconWorkload& load) {
+BeaconOptions all_is_known() {
   BeaconOptions options;
   options.drift = 0.0;
   options.calibration.scale_stddev = 0.0;
   options.calibration.bias_stddev = 0.0;
   options.calibration.turn_stddev = 0.0;
-  BeaconMapper mapper(options);
-  for (const auto& posed : load.posed) mapper.insert(posed.z, posed.T_map_sensor);
-  return mapper;
-}
-
-Places places(const BeaconMapper& mapper) {
-  Places places;
-  for (const BeaconEstimate& estimate : mapper.estimates()) {
-    places[estimate.id] = estimate.modes[0].mean;
-  }
-  return places;
+  return options;
 }
 
 void report_error(benchmark::State& state, const std::string& whose, const BeaconWorkload& load,
@@ -55,20 +40,22 @@ void report_error(benchmark::State& state, const std::string& whose, const Beaco
   state.counters["worst_" + whose] = worst;
 }
 
-void map_beacons(benchmark::State& state, const BeaconWorkload& load) {
+void time_beacons(benchmark::State& state, const BeaconWorkload& load) {
 #ifdef PORTOLAN_BENCH_HAS_MRPT
   const auto peer = mrpt_beacons(load);
   report_error(state, "peer", load, peer());
 #else
   const auto peer = [] { return 0; };
 #endif
+  const BeaconOptions options = all_is_known();
   Pairs pairs;
   for (auto _ : state) {
-    state.SetIterationTime(pairs.run([&] { benchmark::DoNotOptimize(peer()); },
-                                     [&] { benchmark::DoNotOptimize(our_beacons(load)); }));
+    state.SetIterationTime(
+        pairs.run([&] { benchmark::DoNotOptimize(peer()); },
+                  [&] { benchmark::DoNotOptimize(map_beacons(options, load)); }));
   }
   const auto ranges = static_cast<double>(load.ranges());
-  report_error(state, "ours", load, places(our_beacons(load)));
+  report_error(state, "ours", load, places(map_beacons(options, load)));
   state.counters["us_ours"] = pairs.ours() / ranges * 1e6;
 #ifdef PORTOLAN_BENCH_HAS_MRPT
   state.counters["us_peer"] = pairs.peer() / ranges * 1e6;
@@ -80,17 +67,10 @@ void map_beacons(benchmark::State& state, const BeaconWorkload& load) {
 // The public demonstration log of MRPT with its table of true places, where it is installed.
 std::vector<BeaconWorkload> real_logs() {
   const std::string path = "/usr/share/mrpt/datasets/RO-SLAM_demo";
-  std::ifstream table(path + "_ground_truth.txt");
-  if (!table) return {};
+  if (!std::ifstream(path + "_ground_truth.txt")) return {};
   BeaconWorkload load = beacon_rawlog(path + ".rawlog");
   load.name = "ro_slam_demo";
-  for (std::string line; std::getline(table, line);) {
-    std::istringstream words(line);
-    BeaconId id = 0;
-    double x = 0.0;
-    double y = 0.0;
-    if (words >> id >> x >> y) load.truth[id] = {x, y, 0.0};
-  }
+  load.truth = read_places(path + "_ground_truth.txt");
   return {load};
 }
 #else
@@ -110,7 +90,7 @@ const std::vector<BeaconWorkload>& beacon_workloads() {
 const bool kBeaconsRegistered = [] {
   for (const BeaconWorkload& load : beacon_workloads()) {
     benchmark::RegisterBenchmark(("beacons/" + load.name).c_str(),
-                                 [&load](benchmark::State& state) { map_beacons(state, load); })
+                                 [&load](benchmark::State& state) { time_beacons(state, load); })
         ->UseManualTime()
         ->Iterations(15);
   }

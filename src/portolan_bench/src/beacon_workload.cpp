@@ -2,7 +2,10 @@
 #include "beacon_workload.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace portolan::bench {
@@ -42,5 +45,33 @@ std::size_t BeaconWorkload::ranges() const {
 
 BeaconWorkload straight_drive(double stddev) { return drive("straight", stddev, 0.0); }
 BeaconWorkload loop_drive(double stddev) { return drive("loop", stddev, 0.04); }
+
+BeaconMapper map_beacons(const BeaconOptions& options, const BeaconWorkload& load) {
+  BeaconMapper mapper(options);
+  for (const auto& posed : load.posed) mapper.insert(posed.z, posed.T_map_sensor);
+  return mapper;
+}
+
+Places places(const BeaconMapper& mapper) {
+  Places places;
+  for (const BeaconEstimate& estimate : mapper.estimates()) {
+    places[estimate.id] = estimate.modes[0].mean;
+  }
+  return places;
+}
+
+Places read_places(const std::string& path) {
+  std::ifstream table(path);
+  Places places;
+  for (std::string line; std::getline(table, line);) {
+    std::istringstream words(line);
+    BeaconId id = 0;
+    double x = 0.0;
+    double y = 0.0;
+    if (words >> id >> x >> y) places[id] = {x, y, 0.0};
+  }
+  if (places.empty()) throw std::runtime_error(path + ": holds no lines `id x y`");
+  return places;
+}
 
 }  // namespace portolan::bench

@@ -25,10 +25,27 @@ struct Posed {
   CObservationBeaconRanges ranges;
 };
 
+mrpt::poses::CPose3D pose(const Pose& from) {
+  const Eigen::Vector3d p = from.translation();
+  return {p.x(), p.y(), p.z(), yaw(from), 0.0, 0.0};
+}
+
+BeaconWorkload::PosedRanges posed(const CObservationBeaconRanges& seen,
+                                  const mrpt::poses::CPose3D& base) {
+  BeaconWorkload::PosedRanges posed;
+  const mrpt::poses::CPoint3D p = base + seen.sensedData[0].sensorLocationOnRobot;
+  posed.T_map_sensor = planar_pose(p.x(), p.y(), base.yaw());
+  for (const auto& reading : seen.sensedData) {
+    posed.z.ranges.push_back({static_cast<BeaconId>(reading.beaconID),
+                              static_cast<double>(reading.sensedDistance),
+                              static_cast<double>(seen.stdError)});
+  }
+  return posed;
+}
+
 Posed converted(const BeaconWorkload::PosedRanges& from) {
   Posed to;
-  const Eigen::Vector3d p = from.T_map_sensor.translation();
-  to.pose = mrpt::poses::CPose3D(p.x(), p.y(), p.z(), yaw(from.T_map_sensor), 0.0, 0.0);
+  to.pose = pose(from.T_map_sensor);
   for (const BeaconRange& range : from.z.ranges) {
     CObservationBeaconRanges::TMeasurement reading;
     reading.beaconID = static_cast<std::int32_t>(range.id);
@@ -68,41 +85,36 @@ Eigen::Vector3d place(const CBeacon& beacon) {
 
 }  // namespace
 
-std::function<std::map<BeaconId, Eigen::Vector3d>()> mrpt_beacons(const BeaconWorkload& load) {
+std::function<Places()> mrpt_beacons(const BeaconWorkload& load) {
   std::vector<Posed> posed;
   for (const auto& ranges : load.posed) posed.push_back(converted(ranges));
   const double stddev = load.stddev;
   return [posed, stddev] {
     CBeaconMap map = empty_map(stddev);
     for (const Posed& p : posed) map.insertObservation(p.ranges, p.pose);
-    std::map<BeaconId, Eigen::Vector3d> places;
+    Places places;
     for (const CBeacon& beacon : map) places[static_cast<BeaconId>(beacon.m_ID)] = place(beacon);
     return places;
   };
 }
 
-BeaconWorkload beacon_rawlog(const std::string& path) {
+BeaconWorkload beacon_rawlog(const std::string& path, const std::vector<Pose>& poses) {
   CRawlog log;
   if (!log.loadFromRawLogFile(path)) throw std::runtime_error(path + ": no rawlog");
   BeaconWorkload load;
   mrpt::poses::CPose3D base;
+  std::size_t actions = 0;
   for (std::size_t i = 0; i < log.size(); ++i) {
     if (log.getType(i) == CRawlog::etActionCollection) {
       const auto moved = log.getAsAction(i)->getBestMovementEstimation();
       if (moved) base = base + mrpt::poses::CPose3D(moved->poseChange->getMeanVal());
+      ++actions;
     } else if (log.getType(i) == CRawlog::etSensoryFrame) {
       const auto seen = log.getAsObservations(i)->getObservationByClass<CObservationBeaconRanges>();
       if (!seen || seen->sensedData.empty()) continue;
-      BeaconWorkload::PosedRanges posed;
-      const mrpt::poses::CPoint3D p = base + seen->sensedData[0].sensorLocationOnRobot;
-      posed.T_map_sensor = planar_pose(p.x(), p.y(), base.yaw());
-      for (const auto& reading : seen->sensedData) {
-        posed.z.ranges.push_back({static_cast<BeaconId>(reading.beaconID),
-                                  static_cast<double>(reading.sensedDistance),
-                                  static_cast<double>(seen->stdError)});
-      }
+      if (!poses.empty() && (actions == 0 || actions > poses.size())) continue;
+      load.posed.push_back(posed(*seen, poses.empty() ? base : pose(poses[actions - 1])));
       load.stddev = 2.0 * static_cast<double>(seen->stdError);  // as in its configuration
-      load.posed.push_back(std::move(posed));
     }
   }
   return load;

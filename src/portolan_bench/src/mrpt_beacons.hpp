@@ -2,8 +2,8 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
+#include <vector>
 
 #include "beacon_workload.hpp"
 
@@ -11,9 +11,11 @@ namespace portolan::bench {
 
 /// MRPT's CBeaconMap as a sum of Gaussians, ready to run the whole workload from an empty map;
 /// gives the mean of each beacon's heaviest Gaussian [m].
-std::function<std::map<BeaconId, Eigen::Vector3d>()> mrpt_beacons(const BeaconWorkload& load);
+std::function<Places()> mrpt_beacons(const BeaconWorkload& load);
 
-/// The ranges of a rawlog of actions and sensory frames. Throws std::runtime_error with the path.
-BeaconWorkload beacon_rawlog(const std::string& path);
+/// The ranges of a rawlog of actions and sensory frames, from its odometry or from the robot's
+/// `poses` after each action, where there are any; then only as far as these go. Throws
+/// std::runtime_error with the path.
+BeaconWorkload beacon_rawlog(const std::string& path, const std::vector<Pose>& poses = {});
 
 }  // namespace portolan::bench
