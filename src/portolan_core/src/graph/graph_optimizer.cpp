@@ -116,6 +116,7 @@ class Run {
   // kernel positions do not follow.
   bool is_confirmed_by(States& start, const Result& best) const {
     if (kernel_.shape != RobustKernel::none) return false;
+    if (are_turned_alike(problem_, start, best.states)) return true;
     if (is_turned_beyond(kTurnedFar, problem_, best.states)) return false;
     States known = best.states;
     States turned = start;
