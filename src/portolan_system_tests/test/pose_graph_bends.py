@@ -18,6 +18,7 @@ ACCEPTED, REJECTED = 0, 1
 SIDE = 10.0     # of the square that the robot drives [m]
 STEP = 0.25     # [m] between scans
 DRIFT = 0.0015  # [rad] in each step
+PARAMETERS = {"scans": {"enabled": False}}  # no matches of neighbours, so that all drift is left to the loops
 SURE = [1e4 if i % 7 == 0 else 0.0 for i in range(36)]
 
 
@@ -47,13 +48,16 @@ def thickness(grid, room):
 
 
 class PoseGraphBends(case.NodeCase):
+    steps, odom = 0, on_the_round(0.0)  # the first pose of odometry is the true one
+
     def drive(self, robot, graph, way):
-        """Drives so far; the first pose of odometry is the true one."""
-        room, odom, last = block(), on_the_round(0.0), on_the_round(0.0)
-        for i in range(int(way / STEP)):
+        """Drives so far, by the way from the start."""
+        room, last = block(), on_the_round(max(self.steps - 1, 0) * STEP)
+        for i in range(self.steps, int(way / STEP)):
             now = on_the_round(i * STEP)
-            odom, last = then(odom, then(between(last, now), (0.0, 0.0, DRIFT))), now
-            robot.look(room, 1000.0 + 0.5 * i, now, seen_as=odom)
+            self.odom, last = then(self.odom, then(between(last, now), (0.0, 0.0, DRIFT))), now
+            robot.look(room, 1000.0 + 0.5 * i, now, seen_as=self.odom)
+            self.steps = i + 1
             if i % 40 == 39:
                 graph.wait_for("scans", received=robot.sent["scan"], waiting=0)
 
@@ -78,8 +82,7 @@ class PoseGraphBends(case.NodeCase):
         return self.saved(grid)
 
     def test_a_session(self):
-        # Without matches of neighbours, so that all drift is left to the loops.
-        graph = self.node(program="pose_graph", parameters={"scans": {"enabled": False}})
+        graph = self.node(program="pose_graph", parameters=PARAMETERS)
         robot, grid = self.pair()
         robot.wait_until_heard(("tf", "tf_static", "scan"), listeners=2)
         corrections = self.latest("drift_correction", DriftCorrection)
@@ -95,7 +98,7 @@ class PoseGraphBends(case.NodeCase):
         eventually(lambda: len(paths[-1].poses) == len(graphs[-1].poses) > 80, "the path is that of the keyframes")
         self.check_the_map_bends(graph, grid, corrections, loops)
         self.check_a_false_loop_leaves_no_trace(graph, grid, corrections)
-        self.check_files(graph)
+        self.check_a_graph_that_goes_on(graph, robot)
 
     def check_the_map_bends(self, graph, grid, corrections, loops):
         eventually(lambda: grid.values().get("redrawn") == "1", "the map is redrawn")
@@ -125,17 +128,38 @@ class PoseGraphBends(case.NodeCase):
         self.assertTrue(self.service(graph, "disable_arcs", SetArcs, arcs=[answer.arc]).success)
         eventually(lambda: self.settled_map(grid, corrections, count + 1) == before, "the map's files are as before")
 
-    def check_files(self, graph):
+    def check_a_graph_that_goes_on(self, graph, robot):
+        """Killed, started again and loaded, it knows its places by what it saw there before."""
         self.files = "pose_graph"
         files = self.saved(graph)
-        self.assertEqual(set(files), {"pose_graph.g2o", "pose_graph.stamps", "pose_graph.tum"})
+        self.assertEqual(set(files), {"pose_graph.g2o", "pose_graph.stamps", "pose_graph.scans", "pose_graph.tum"})
         keyframes = len(files["pose_graph.stamps"].splitlines())
-        self.assertTrue(graph.call("reset").success)
-        eventually(lambda: graph.values().get("keyframes") == "0", "the graph is empty")
+        graph.kill()
+        graph = self.node(program="pose_graph", parameters=PARAMETERS)
+        self.check_a_broken_file(graph, files["pose_graph.scans"])
         answer = graph.call("load")
         self.assertTrue(answer.success, answer.message)
         eventually(lambda: graph.values().get("keyframes") == str(keyframes), "the graph is back")
-        self.assertEqual(self.saved(graph)["pose_graph.stamps"], files["pose_graph.stamps"])
+        again = self.saved(graph)
+        for kind in ("stamps", "scans"):
+            self.assertEqual(again[f"pose_graph.{kind}"], files[f"pose_graph.{kind}"])
+        robot.close()
+        robot = self.robot()  # whose listeners are not the dead one's
+        robot.wait_until_heard(("tf", "tf_static", "scan"), listeners=2)
+        self.drive(robot, graph, 90.0)
+        bridges = [arc for arc in self.loops(graph) if arc.from_ < keyframes <= arc.to]
+        self.assertGreater(len(bridges), 2, graph.values())
+
+    def check_a_broken_file(self, graph, scans):
+        """Nothing is loaded then, and the answer says why."""
+        path = self.folder / graph.namespace[1:] / "pose_graph.scans"
+        path.write_bytes(scans[:-1])
+        answer = graph.call("load")
+        self.assertFalse(answer.success)
+        self.assertIn("pose_graph.scans: scan", answer.message)
+        self.assertIn("is cut off", answer.message)
+        path.write_bytes(scans)
+        self.assertEqual(graph.values().get("keyframes"), "0")
 
 
 if __name__ == "__main__":

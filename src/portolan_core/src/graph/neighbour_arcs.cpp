@@ -22,16 +22,19 @@ TangentMatrix isotropic(double position, double heading) {
   return covariance;
 }
 
-/// What odometry says of the way; nearly nothing where it jumped.
-Arc odometry_arc(const Keyframe& last, const Keyframe& next, const OdometryNoise& noise) {
+/// What odometry says of the way; nearly nothing where it was interrupted or jumped.
+Arc odometry_arc(const Keyframe& last, const Keyframe& next, const OdometryNoise& noise,
+                 bool is_interrupted) {
   const Pose T_last_next = last.T_odom_base.inverse() * next.T_odom_base;
   const double way = T_last_next.translation().norm();
   const double turn = rotation_angle(T_last_next);
   const double time = to_seconds(next.stamp - last.stamp);
-  const bool jumped = way > noise.max_speed * std::max(time, 0.1) + 0.5;
+  const bool jumped = is_interrupted || way > noise.max_speed * std::max(time, 0.1) + 0.5;
   constexpr double kStill = 0.01;  // least way that counts, lest anything be certain [m]
   const double counted = std::max(way, kStill);
-  const double position = squared(noise.position) * counted + (jumped ? squared(way) : 0.0);
+  constexpr double kCarried = 1.0;  // least way that it may be wrong by then [m]
+  const double position =
+      squared(noise.position) * counted + (jumped ? squared(std::max(way, kCarried)) : 0.0);
   const double heading =
       squared(noise.heading) * counted + squared(noise.turn) * turn + (jumped ? 1.0 : 0.0);
   Arc arc;
@@ -41,12 +44,25 @@ Arc odometry_arc(const Keyframe& last, const Keyframe& next, const OdometryNoise
   return arc;
 }
 
+bool fits_better(const Match& a, const Match& b) {
+  return a.converged && (!b.converged || a.overlap > b.overlap);
+}
+
+/// From where odometry puts it; after an interruption, in which wheels may have begun to count
+/// anew, also from where it was. What fits better counts.
 Match match_with(const LocalMap& around_last, const Keyframe& next, const Pose& T_last_next,
-                 const PoseGraphOptions& options) {
-  LocalMapMaker source(options.surfaces);
-  source.add(next, Pose::Identity());
-  const Surface surface = std::move(source).make().surface;
-  return icp(SurfaceIndex(around_last.surface), surface, T_last_next, kSpace, options.icp);
+                 const PoseGraphOptions& options, bool is_interrupted) {
+  LocalMapMaker maker(options.surfaces);
+  maker.add(next, Pose::Identity());
+  const Surface source = std::move(maker).make().surface;
+  const SurfaceIndex target(around_last.surface);
+  const auto from = [&](const Pose& start) {
+    return icp(target, source, start, kSpace, options.icp);
+  };
+  Match match = from(T_last_next);
+  if (!is_interrupted) return match;
+  Match stayed = from(Pose::Identity());
+  return fits_better(stayed, match) ? stayed : match;
 }
 
 Arc arc_of(const Match& match) {
@@ -84,10 +100,12 @@ ArcReason fault_of(const Match& match, double doubt, const ScanMatchOptions& opt
 }  // namespace
 
 NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
-                             const LocalMap& around_last, const PoseGraphOptions& options) {
-  NeighbourArcs arcs{odometry_arc(last, next, options.odometry), std::nullopt};
+                             const LocalMap& around_last, const PoseGraphOptions& options,
+                             bool is_interrupted) {
+  NeighbourArcs arcs{odometry_arc(last, next, options.odometry, is_interrupted), std::nullopt};
   if (!options.scans.enabled) return arcs;
-  const Match match = match_with(around_last, next, arcs.odometry.T_from_to, options);
+  const Match match =
+      match_with(around_last, next, arcs.odometry.T_from_to, options, is_interrupted);
   if (!match.converged) return arcs;
   arcs.scan = arc_of(match);
   add_lateness(to_seconds(next.stamp - last.stamp), options.odometry, arcs.odometry);

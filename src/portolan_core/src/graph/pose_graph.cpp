@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "portolan/graph/loop/loop_arcs.hpp"
 #include "portolan/graph/neighbour_arcs.hpp"
 #include "portolan/graph/restored_steps.hpp"
+#include "portolan/graph/scan_file.hpp"
 
 namespace portolan {
 
@@ -85,7 +87,8 @@ void PoseGraph::connect() {
     graph_.add(arc);
   };
   auto [odometry, scan] =
-      neighbour_arcs(keyframes_[now - 1], keyframes_[now], around_last, options_);
+      neighbour_arcs(keyframes_[now - 1], keyframes_[now], around_last, options_, is_resumed_);
+  is_resumed_ = false;
   add(odometry);
   if (scan) add(*scan);
   const bool counts = scan && scan->state == ArcState::accepted;
@@ -242,8 +245,28 @@ PoseGraph PoseGraph::restored(const Options& options, const Graph& graph) {
     restored.chain_.add(steps[i].step);
   }
   restored.forgotten_ = steps.size();
+  restored.is_resumed_ = true;
   if (!steps.empty()) restored.settle();
   return restored;
+}
+
+void PoseGraph::recall(std::vector<SavedScan> scans) {
+  for (SavedScan& saved : scans) {
+    const std::optional<std::size_t> place = graph_.find(saved.keyframe);
+    if (!place || keyframes_[*place].stamp != saved.stamp) {
+      throw std::invalid_argument("there is no keyframe " + std::to_string(saved.keyframe) +
+                                  " of the scan's time");
+    }
+    keyframes_[*place].T_base_sensor = saved.T_base_sensor;
+    keyframes_[*place].scan = std::move(saved.scan);
+  }
+  const auto has_scan = [](const Keyframe& keyframe) { return !keyframe.scan.ranges.empty(); };
+  const auto first = std::find_if(keyframes_.begin(), keyframes_.end(), has_scan);
+  forgotten_ = static_cast<std::size_t>(first - keyframes_.begin());
+  scan_bytes_ = std::accumulate(
+      first, keyframes_.end(), std::size_t{0},
+      [](std::size_t sum, const Keyframe& keyframe) { return sum + byte_size(keyframe.scan); });
+  forget_scans();
 }
 
 Correction PoseGraph::correction() const {

@@ -5,57 +5,10 @@
 
 #include <limits>
 
-#include "graph/match/flat_world.hpp"
+#include "graph/round_drive.hpp"
 
 namespace portolan {
 namespace {
-
-// Corridors round a block of 16 by 10 metres, with doors and niches.
-FlatWorld office() {
-  FlatWorld world;
-  world.box(0, 0, 16, 10).box(2, 2, 14, 8).box(4.0, 2.0, 5.0, 2.4).box(9.3, 1.6, 10.1, 2.0);
-  world.box(0.0, 5.0, 0.5, 6.2).box(13.6, 4.1, 14.0, 5.0).box(6.5, 9.6, 7.1, 10.0);
-  return world.box(11.0, 8.0, 11.6, 8.3).box(15.5, 6.5, 16.0, 7.1).box(3.0, 0.0, 3.6, 0.3);
-}
-
-// The middle of the corridors, by way from the start [m]; rounds of 44 metres.
-Pose on_the_round(double way) {
-  const double sides[] = {14.0, 8.0, 14.0, 8.0};
-  Pose T = planar_pose(1.0, 1.0, 0.0);
-  double left = std::fmod(way, 44.0);
-  for (const double side : sides) {
-    if (left <= side) return T * planar_pose(left, 0.0, 0.0);
-    T = T * planar_pose(side, 0.0, M_PI_2);
-    left -= side;
-  }
-  return T;
-}
-
-struct Drive {
-  PoseGraph graph{PoseGraph::Options{}};
-  std::vector<Pose> truth;
-};
-
-// Drives so far with odometry that turns too much.
-void drive(Drive& run, double from, double to, const PoseGraph::Options& options = {}) {
-  const FlatWorld world = office();
-  std::mt19937_64 random(1);
-  run.graph = PoseGraph(options);
-  Pose T_odom = Pose::Identity();
-  Pose last = on_the_round(from);
-  for (double way = from; way <= to; way += 0.1) {
-    const Pose now = on_the_round(way);
-    Pose step = last.inverse() * now;
-    step = step * planar_pose(0.0, 0.0, 0.0006);
-    T_odom = T_odom * step;
-    last = now;
-    const RangeScan scan = world.scan(now, 180, 0.01, random);
-    const Time stamp{seconds(10.0 + way)};
-    if (run.graph.insert(stamp, T_odom, scan, Pose::Identity()) == Outcome::inserted) {
-      run.truth.push_back(now);
-    }
-  }
-}
 
 // Of where the graph puts the last keyframe, seen from the first one [m].
 double end_error(const Drive& run) {
@@ -63,19 +16,6 @@ double end_error(const Drive& run) {
   const Pose estimate = poses.front().T_map_pose.inverse() * poses.back().T_map_pose;
   const Pose truth = run.truth.front().inverse() * run.truth.back();
   return (truth.inverse() * estimate).translation().norm();
-}
-
-std::size_t count(const PoseGraph& graph, ArcKind kind, ArcState state) {
-  const auto& arcs = graph.graph().arcs();
-  return static_cast<std::size_t>(std::count_if(arcs.begin(), arcs.end(), [&](const Arc& arc) {
-    return arc.kind == kind && arc.state == state;
-  }));
-}
-
-PoseGraph::Options odometry_only() {
-  PoseGraph::Options options;
-  options.scans.enabled = false;
-  return options;
 }
 
 const Drive& twice_round() {

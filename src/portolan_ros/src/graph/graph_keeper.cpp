@@ -2,16 +2,18 @@
 #include "portolan_ros/graph/graph_keeper.hpp"
 
 #include <filesystem>
-#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "portolan/graph/g2o_file.hpp"
+#include "portolan/graph/pose_graph_file.hpp"
 #include "portolan_ros/map_services.hpp"
 
 namespace portolan {
 
 FileSet graph_file_set(const PoseGraph& graph, const std::string& name) {
   if (graph.keyframes().empty()) return {};
-  FileSet files = graph_files(graph.graph(), name);
+  FileSet files = pose_graph_files(graph, name);
   files[name + ".tum"] = to_tum(graph.graph());
   return files;
 }
@@ -22,16 +24,13 @@ std::string GraphKeeper::save(const std::string& name) {
 }
 
 std::string GraphKeeper::load(const std::string& name) {
-  const std::filesystem::path file =
-      folder_of(options_.node.map_directory) / (checked_map_name(name) + ".g2o");
-  const Graph graph = load_graph(file);
-  if (graph.poses().empty()) throw std::runtime_error(file.string() + ": there is no pose in it");
-  try {
-    pipeline_.restart_from(PoseGraph::restored(options_.graph, graph));
-  } catch (const std::exception& error) {
-    throw std::runtime_error(file.string() + ": " + error.what());
-  }
-  return "loaded " + file.string();
+  const std::filesystem::path folder = folder_of(options_.node.map_directory);
+  PoseGraph graph = load_pose_graph(options_.graph, folder, checked_map_name(name));
+  const std::string found = std::to_string(graph.keyframes().size() - graph.forgotten());
+  const std::string what = "loaded " + (folder / (name + ".g2o")).string() + " and the scans of " +
+                           found + " of " + std::to_string(graph.keyframes().size()) + " keyframes";
+  pipeline_.restart_from(std::move(graph));
+  return what;
 }
 
 std::string GraphKeeper::reset() {

@@ -18,9 +18,10 @@ struct NeighbourArcs {
 };
 
 /// Motion, information, kind, state and reason of the arcs from one keyframe to the next, whose
-/// scan is matched with a map around the last one. Odometry says nearly nothing where it jumped,
-/// and the less the more the scan contradicts it.
+/// scan is matched with a map around the last one. Odometry says nearly nothing where it jumped, or
+/// where nobody knows what happened in between, and the less the more the scan contradicts it.
 NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
-                             const LocalMap& around_last, const PoseGraphOptions& options);
+                             const LocalMap& around_last, const PoseGraphOptions& options,
+                             bool is_interrupted = false);
 
 }  // namespace portolan

@@ -15,6 +15,8 @@
 
 namespace portolan {
 
+struct SavedScan;
+
 /// How far a robot's odometry has drifted, found from what it saw again: keyframes, arcs between
 /// them, and the coordinates that contradict the arcs least (chapter 8's pose constraint maps).
 ///
@@ -43,10 +45,14 @@ class PoseGraph {
   void disable(std::size_t arc);
   void enable(std::size_t arc);
 
-  /// Goes on from a graph that was saved, in the odometry of that time; its scans are lost, so that
-  /// its places are not found again. Throws std::invalid_argument where it is no graph of this
-  /// kind: ids from 0 on, increasing stamps, an accepted arc of odometry between neighbours.
+  /// Goes on from a graph that was saved, without its scans. Nobody saw the robot meanwhile: to the
+  /// next keyframe odometry says where to look first, and next to nothing besides. Throws
+  /// std::invalid_argument where it is no graph of this kind: ids from 0 on, increasing stamps, an
+  /// accepted arc of odometry between neighbours.
   static PoseGraph restored(const Options& options, const Graph& graph);
+  /// Gives keyframes the scans that were saved with the graph, so that their places can be found
+  /// again. Throws std::invalid_argument where one is of no keyframe, or of another moment.
+  void recall(std::vector<SavedScan> scans);
 
   /// T_map_odom with a knot at each keyframe.
   Correction correction() const;
@@ -84,6 +90,7 @@ class PoseGraph {
   double looked_ = 0.0;  // way at which loops were last looked for [m]
   std::size_t scan_bytes_ = 0;
   std::size_t forgotten_ = 0;
+  bool is_resumed_ = false;  // no keyframe has come since the graph was restored
   std::size_t generation_ = 0;
   std::optional<OptimizerReport> report_;
 };

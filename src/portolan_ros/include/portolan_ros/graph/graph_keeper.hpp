@@ -8,7 +8,7 @@
 
 namespace portolan {
 
-/// The graph's files: NAME.g2o, NAME.stamps and NAME.tum; none of an empty graph.
+/// The graph's files: NAME.g2o, NAME.stamps, NAME.scans and NAME.tum; none of an empty graph.
 FileSet graph_file_set(const PoseGraph& graph, const std::string& name);
 
 /// Keeps a pose graph in files, and begins again from files. Each says in a sentence what it did,
@@ -19,7 +19,7 @@ class GraphKeeper {
       : pipeline_(pipeline), options_(options) {}
 
   std::string save(const std::string& name);
-  /// Goes on in the odometry with which the graph was saved; its keyframes are without their scans.
+  /// Goes on from the graph that was saved, which knows its places by their scans.
   std::string load(const std::string& name);
   std::string reset();
 
