@@ -122,6 +122,18 @@ bool PoseGraph::closes(const Arc& arc) const {
          (arc.kind == ArcKind::loop || arc.kind == ArcKind::given);
 }
 
+// Whoever drives to and fro for hours must not pay for the same loops all the time: each costs an
+// optimisation, and every map a redrawing.
+bool PoseGraph::has_enough_loops(std::size_t here) const {
+  const auto p_map = [&](std::size_t i) { return graph_.poses()[i].T_map_pose.translation(); };
+  const auto is_here = [&](const Arc& arc) {
+    return arc.kind == ArcKind::loop && arc.state == ArcState::accepted &&
+           (p_map(index_of(arc.to)) - p_map(here)).norm() <= options_.loops.distance;
+  };
+  const auto found = std::count_if(graph_.arcs().begin(), graph_.arcs().end(), is_here);
+  return found >= options_.loops.enough;
+}
+
 void PoseGraph::look_for_loops() {
   const std::size_t now = keyframes_.size() - 1;
   if (keyframes_[now].travelled - looked_ < options_.loops.every) return;
@@ -131,7 +143,9 @@ void PoseGraph::look_for_loops() {
   for (std::size_t i = 0; i <= now; ++i) {
     if (T_now[i]) T_now[i]->mean = T_now_map * graph_.poses()[i].T_map_pose;
   }
-  for (const LoopCandidate& candidate : loop_candidates(keyframes_, T_now, options_.loops)) {
+  const double min_doubt = has_enough_loops(now) ? options_.loops.min_doubt : 0.0;
+  for (const LoopCandidate& candidate :
+       loop_candidates(keyframes_, T_now, min_doubt, options_.loops)) {
     const std::size_t arc = graph_.add(loop_arc(placed(), candidate, now, options_));
     const auto confirmed = confirmation(placed(), chain_, arc, options_.loops);
     if (!confirmed.empty()) accept(confirmed);

@@ -139,6 +139,24 @@ TEST(PoseGraph, DoesNotGrowWhileTheRobotStands) {
   EXPECT_EQ(graph.keyframes().size(), 1U);
 }
 
+TEST(PoseGraph, LooksForNoMoreLoopsWhereItKnowsEnough) {
+  const auto rounds = [](double min_doubt) {
+    PoseGraph::Options options;
+    options.loops.min_doubt = min_doubt;
+    Drive run;
+    drive(run, 0.0, 150.0, options);
+    return run;
+  };
+  const Drive sparing = rounds(PoseGraph::Options{}.loops.min_doubt);
+  const Drive tireless = rounds(0.0);
+  const auto loops = [](const Drive& run) {
+    return count(run.graph, ArcKind::loop, ArcState::accepted);
+  };
+  EXPECT_GT(loops(sparing), 3U);
+  EXPECT_LT(3 * loops(sparing), 2 * loops(tireless));
+  EXPECT_LT(end_error(sparing), 0.2);
+}
+
 TEST(PoseGraph, RefusesWhatMakesNoSense) {
   std::mt19937_64 random(1);
   PoseGraph graph(PoseGraph::Options{});

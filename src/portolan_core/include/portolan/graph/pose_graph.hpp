@@ -74,6 +74,7 @@ class PoseGraph {
   double way_to(const Pose& T_odom_base) const;
   void connect();
   void forget_scans();
+  bool has_enough_loops(std::size_t here) const;
   void look_for_loops();
   void accept(const std::vector<std::size_t>& arcs);
   void change(std::size_t arc, ArcState state);

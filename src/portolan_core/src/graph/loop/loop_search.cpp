@@ -26,6 +26,19 @@ double certain_distance(const UncertainPose& T_now_place) {
   return std::max(0.0, distance - kSigmas * deviation_along(p_place, T_now_place.covariance));
 }
 
+double largest_variance(const Eigen::Matrix2d& xy) {
+  const double half = 0.5 * xy.trace();
+  return half + std::sqrt(std::max(0.0, half * half - xy.determinant()));
+}
+
+// How uncertain it is where the place's surfaces lie: of its position, and of what its heading
+// moves [m].
+double doubt_of(const UncertainPose& T_now_place, double lever) {
+  const TangentMatrix& covariance = T_now_place.covariance;
+  return std::sqrt(largest_variance(covariance.topLeftCorner<2, 2>()) +
+                   lever * lever * covariance(5, 5));
+}
+
 // Within these, closest points find the way by themselves.
 bool is_narrow(const SearchWindow& window) { return window.reach < 0.5 && window.turn < 0.15; }
 
@@ -60,7 +73,7 @@ ArcReason judge(const LoopFinding& finding, const UncertainPose& expected,
 
 std::vector<LoopCandidate> loop_candidates(const std::vector<Keyframe>& keyframes,
                                            const std::vector<std::optional<UncertainPose>>& T_now,
-                                           const LoopOptions& options) {
+                                           double min_doubt, const LoopOptions& options) {
   struct Visit {
     std::size_t keyframe;
     double distance;  // [m]
@@ -71,6 +84,7 @@ std::vector<LoopCandidate> loop_candidates(const std::vector<Keyframe>& keyframe
     if (keyframes.back().travelled - keyframes[i].travelled < options.min_way) break;
     const bool was_there = is_there;
     is_there = T_now[i] && !keyframes[i].scan.ranges.empty() &&
+               doubt_of(*T_now[i], options.map_way) >= min_doubt &&
                certain_distance(*T_now[i]) <= options.distance;
     if (!is_there) continue;
     const double distance = T_now[i]->mean.translation().norm();
@@ -90,10 +104,8 @@ std::vector<LoopCandidate> loop_candidates(const std::vector<Keyframe>& keyframe
 
 SearchWindow window_of(const UncertainPose& T_target_source, const LoopOptions& options) {
   const TangentMatrix& covariance = T_target_source.covariance;
-  const Eigen::Matrix2d xy = covariance.topLeftCorner<2, 2>();
-  const double half = 0.5 * xy.trace();
-  const double root = std::sqrt(std::max(0.0, half * half - xy.determinant()));
-  return {std::min(options.max_reach, kSigmas * std::sqrt(half + root)),
+  const double variance = largest_variance(covariance.topLeftCorner<2, 2>());
+  return {std::min(options.max_reach, kSigmas * std::sqrt(variance)),
           std::min(options.max_turn, kSigmas * std::sqrt(covariance(5, 5)))};
 }
 

@@ -12,6 +12,8 @@ struct LoopOptions {
   double every = 2.0;
   double min_way = 15.0;
   double distance = 4.0;
+  int enough = 5;
+  double min_doubt = 0.25;
   double map_way = 5.0;
   int candidates = 2;
   double max_reach = 15.0;
@@ -33,6 +35,14 @@ struct LoopOptions {
     visit("min_way", self.min_way, "way between two visits, at least [m]", at_least(0.0));
     visit("distance", self.distance,
           "visits to a place lie so close, besides what is uncertain [m]", above(0.0));
+    visit("enough", self.enough,
+          "where so many loops have been closed within that distance, visits are compared only if "
+          "the graph leaves them in doubt of each other",
+          at_least(0));
+    visit("min_doubt", self.min_doubt,
+          "such a deviation of the one as seen from the other, of what stands map_way away, is "
+          "doubt; 0: compare always [m]",
+          at_least(0.0));
     visit("map_way", self.map_way,
           "way before and after a keyframe whose scans are matched as one map [m]", above(0.0));
     visit("candidates", self.candidates, "earlier visits that are tried at a time", at_least(1.0));

@@ -19,11 +19,11 @@ struct LoopCandidate {
 };
 
 /// The earlier visits that may lie within reach, given how uncertain it is where they lie: of each
-/// visit the keyframe nearest to here, the likeliest visits first. `T_now` are all keyframes as
-/// seen from the last one.
+/// visit the keyframe nearest to here, the likeliest visits first; of those that are known this
+/// well [m], see `LoopOptions`, none. `T_now` are all keyframes as seen from the last one.
 std::vector<LoopCandidate> loop_candidates(const std::vector<Keyframe>& keyframes,
                                            const std::vector<std::optional<UncertainPose>>& T_now,
-                                           const LoopOptions& options);
+                                           double min_doubt, const LoopOptions& options);
 
 /// Where a wide search puts the source, or why it does not.
 struct Sighting {
