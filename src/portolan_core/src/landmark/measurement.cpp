@@ -62,7 +62,7 @@ Measurement measurement_of(const LandmarkSighting& sighting, const SightingNoise
 Measurement measurement_of(const ImageFeature& feature, const PinholeCamera& camera,
                            const SightingNoiseOptions& noise) {
   const double pixel = squared(noise.pixel_stddev);
-  return Measured<PixelModel>{{camera}, {feature.u, feature.v}, {pixel, pixel}};
+  return Measured<PixelModel>{{{}, camera}, {feature.u, feature.v}, {pixel, pixel}};
 }
 
 std::optional<Eigen::Vector3d> shown_point(const Measurement& measurement,

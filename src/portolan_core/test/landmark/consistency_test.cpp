@@ -45,7 +45,7 @@ struct Drive {
 
   static Model model() {
     if constexpr (kOptical) {
-      return {{400.0, 420.0, 320.0, 240.0}};
+      return {{}, {400.0, 420.0, 320.0, 240.0}};
     } else {
       return {};
     }

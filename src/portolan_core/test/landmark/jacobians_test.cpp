@@ -24,7 +24,7 @@ Model model() {
 }
 template <>
 PixelModel model<PixelModel>() {
-  return {{400.0, 420.0, 320.0, 240.0}};
+  return {{}, {400.0, 420.0, 320.0, 240.0}};
 }
 
 template <class Derived, class Other>

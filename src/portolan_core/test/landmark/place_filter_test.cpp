@@ -185,7 +185,7 @@ TEST(PlaceFilter, ARangeMakesAPointOfARay) {
 TEST(PlaceFilter, ACameraDoesNotSeeBehindItself) {
   Place place;
   place.mean = {0.0, 0.0, -2.0};
-  const Measured<PixelModel> z{{{400.0, 400.0, 320.0, 240.0}}, {320.0, 240.0}, {1.0, 1.0}};
+  const Measured<PixelModel> z{{{}, {400.0, 400.0, 320.0, 240.0}}, {320.0, 240.0}, {1.0, 1.0}};
   EXPECT_FALSE(fit(place, z, at(Pose::Identity())));
   place.mean.z() = 2.0;
   ASSERT_TRUE(fit(place, z, at(Pose::Identity())));
