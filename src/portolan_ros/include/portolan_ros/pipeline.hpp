@@ -4,11 +4,11 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "portolan_ros/clock_guard.hpp"
 #include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/correction_gate.hpp"
 #include "portolan_ros/mapper_node_options.hpp"
 #include "portolan_ros/sensed.hpp"
 
@@ -58,13 +58,14 @@ class Pipeline {
   void poll(Time now) {
     check_clock(now);
     posed_.poll(now);
-    if (early_ && now > early_->since + kLead) take_early_correction();
+    apply(correction_gate_.overdue(now));
   }
 
-  /// Takes a correction that its sender worked out at `stamp`. One whose stamp runs back tells of a
-  /// jump that the sender noticed first: it waits for the clock here to run back too, for a second
-  /// at most, so that it moves nothing that was mapped before.
-  void correct(Correction correction, Time stamp, Time now);
+  /// Takes a correction that its sender worked out at `stamp`; see CorrectionGate.
+  void correct(Correction correction, Time stamp, Time now) {
+    poll(now);
+    apply(correction_gate_.take(std::move(correction), stamp, now));
+  }
 
   Remapper<Mapper>& remapper() { return remapper_; }
   const Remapper<Mapper>& remapper() const { return remapper_; }
@@ -89,11 +90,11 @@ class Pipeline {
     } else {
       remapper_.freeze();
     }
-    if (early_) take_early_correction();
+    apply(correction_gate_.clock_ran_back());
   }
 
-  void take_early_correction() {
-    remapper_.correct(std::exchange(early_, std::nullopt)->correction);
+  void apply(std::optional<Correction> correction) {
+    if (correction) remapper_.correct(std::move(*correction));
   }
 
   SensorId sensor_id(std::size_t input, const std::string& frame) {
@@ -101,81 +102,16 @@ class Pipeline {
     return sensors_.try_emplace({input, frame}, next).first->second;
   }
 
-  struct EarlyCorrection {
-    Correction correction;
-    Time since;
-  };
-  static constexpr Duration kLead = seconds(1.0);  // by which others may notice a jump first
-
   PipelineOptions options_;
   FilterOf<Kind> filter_;
   PosedInput posed_;
   Remapper<Mapper> remapper_;
   ClockGuard clock_{seconds(0.1)};
+  CorrectionGate correction_gate_;
   std::map<std::pair<std::size_t, std::string>, SensorId> sensors_;
   std::size_t time_jumps_ = 0;
-  ClockGuard sender_clock_{seconds(0.1)};  // of those who correct
-  std::size_t jumps_at_correction_ = 0;
-  std::optional<EarlyCorrection> early_;
 };
 
-namespace pipeline_detail {
-
-template <class T, class = void>
-struct HasMotion : std::false_type {};
-template <class T>
-struct HasMotion<T, std::void_t<decltype(std::declval<T&>().T_first_last)>> : std::true_type {};
-
-template <class Filter, class T, class = void>
-struct IsNoted : std::false_type {};
-template <class Filter, class T>
-struct IsNoted<Filter, T, std::void_t<decltype(std::declval<Filter&>().note(std::declval<T>()))>>
-    : std::true_type {};
-
-}  // namespace pipeline_detail
-
-template <class Kind>
-void Pipeline<Kind>::correct(Correction correction, Time stamp, Time now) {
-  poll(now);
-  const bool jumped = std::exchange(jumps_at_correction_, time_jumps_) != time_jumps_;
-  const bool ran_back = sender_clock_.ran_back(stamp) && !jumped;
-  if (early_) {
-    early_->correction = std::move(correction);
-  } else if (ran_back) {
-    early_ = {std::move(correction), now};
-  } else {
-    remapper_.correct(std::move(correction));
-  }
-}
-
-template <class Kind>
-template <class SensorReading>
-void Pipeline<Kind>::receive(std::size_t input, std::optional<Sensed<SensorReading>> sensed,
-                             Time now) {
-  poll(now);
-  if (!sensed) return posed_.receive_malformed(input);
-  if constexpr (pipeline_detail::IsNoted<FilterOf<Kind>, SensorReading>::value) {
-    filter_.note(std::move(sensed->z));
-    return posed_.receive_unposed(input);
-  } else {
-    pose_and_use(input, std::move(*sensed), now);
-  }
-}
-
-template <class Kind>
-template <class SensorReading>
-void Pipeline<Kind>::pose_and_use(std::size_t input, Sensed<SensorReading> sensed, Time now) {
-  const SensorId sensor = sensor_id(input, ros_convert::without_slash(sensed.frame));
-  PosedInput::Message message{sensed.frame, sensed.first, sensed.last, {}, {}, sensed.part};
-  message.references = filter_.references(sensed.z);
-  message.use = [this, sensor, stamp = sensed.first,
-                 z = std::move(sensed.z)](const PosedInput::SensorPose& pose) mutable {
-    if constexpr (pipeline_detail::HasMotion<SensorReading>::value) {
-      z.T_first_last = pose.T_first_last;
-    }
-    return remapper_.observe(stamp, pose.T_odom_sensor, filter_(std::move(z), pose), sensor);
-  };
-  posed_.receive(input, std::move(message), now);
-}
-
 }  // namespace portolan
+
+#include "portolan_ros/pipeline_impl.hpp"  // IWYU pragma: export
