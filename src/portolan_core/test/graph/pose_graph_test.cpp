@@ -142,6 +142,7 @@ TEST(PoseGraph, DoesNotGrowWhileTheRobotStands) {
 TEST(PoseGraph, LooksForNoMoreLoopsWhereItKnowsEnough) {
   const auto rounds = [](double min_doubt) {
     PoseGraph::Options options;
+    options.loops.enough = 5;
     options.loops.min_doubt = min_doubt;
     Drive run;
     drive(run, 0.0, 150.0, options);

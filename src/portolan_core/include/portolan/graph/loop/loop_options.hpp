@@ -12,7 +12,7 @@ struct LoopOptions {
   double every = 2.0;
   double min_way = 15.0;
   double distance = 4.0;
-  int enough = 5;
+  int enough = 20;
   double min_doubt = 0.25;
   double map_way = 5.0;
   int candidates = 2;
