@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <stdexcept>
 #include <string>
 
 #include "graph/random_graph.hpp"
+#include "graph/text_numbers.hpp"
 #include "map_file_fixture.hpp"
 #include "options/comma_locale.hpp"
 
@@ -160,6 +162,17 @@ TEST(G2oFile, reads_what_it_writes_to_the_same_text) {
         EXPECT_TRUE(read.poses()[i].T_map_pose.isApprox(written, 1e-13)) << seed;
         EXPECT_EQ(read.poses()[i].fixed, graph.poses()[i].fixed);
       }
+    }
+  }
+}
+
+TEST(G2oFile, writes_quaternions_whose_components_are_nearly_equal_to_the_same_text) {
+  for (int decimals = 3; decimals <= 16; ++decimals) {
+    for (const double sign : {1.0, -1.0}) {
+      const std::string w = to_text(M_SQRT1_2 + sign * std::pow(10.0, -decimals));
+      const std::string saved =
+          to_g2o(graph_from_g2o("VERTEX_SE3:QUAT 0 0 0 0 0 0 0.7071067811865476 " + w));
+      EXPECT_EQ(to_g2o(graph_from_g2o(saved)), saved) << w;
     }
   }
 }
