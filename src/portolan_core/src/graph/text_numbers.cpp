@@ -17,7 +17,7 @@ namespace portolan {
 namespace {
 
 constexpr std::int64_t kNanoseconds = 1000000000;
-constexpr double kGrid = 1e14;  // steps of turns [1/rad]
+constexpr double kGrid = 1e14;                     // steps of turns [1/rad]
 constexpr double kNearlyEqual = M_SQRT1_2 * 1e-9;  // which texts of decimals do not differ by
 
 double c_number(const char* text, char** end) {
