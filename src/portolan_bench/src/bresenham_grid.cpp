@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace portolan::bench {
 
@@ -11,10 +12,10 @@ namespace {
 /// The grid that everybody writes first: an array, a line of cells per beam, saturating bytes.
 class BresenhamGrid {
  public:
-  BresenhamGrid(Eigen::Vector2d low, Eigen::Vector2d high)
-      : low_(low),
-        width_(cell(high.x() - low.x()) + 1),
-        cells_(static_cast<std::size_t>(width_ * (cell(high.y() - low.y()) + 1))) {}
+  explicit BresenhamGrid(const Eigen::AlignedBox2d& extent)
+      : low_(extent.min()),
+        width_(cell(extent.sizes().x()) + 1),
+        cells_(static_cast<std::size_t>(width_ * (cell(extent.sizes().y()) + 1))) {}
 
   void insert(const RangeScan& scan, const Pose& T_map_sensor) {
     const double heading = yaw(T_map_sensor);
@@ -58,18 +59,11 @@ class BresenhamGrid {
 }  // namespace
 
 Drawer bresenham_grid(const Workload& workload) {
-  Eigen::Vector2d low(0.0, 0.0), high(0.0, 0.0);
-  for (const Workload::PosedScan& posed : workload.scans) {
-    low = low.cwiseMin(posed.T_map_sensor.translation().head<2>());
-    high = high.cwiseMax(posed.T_map_sensor.translation().head<2>());
-  }
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(workload.max_range + 2.0);
-  auto map = std::make_shared<BresenhamGrid>(low - reach, high + reach);
-  Drawer drawer;
-  drawer.scan = [map, &workload](std::size_t i) {
-    map->insert(workload.scans[i].scan, workload.scans[i].T_map_sensor);
+  auto map = std::make_shared<BresenhamGrid>(workload.extent());
+  return [map, &workload](std::size_t i) {
+    const Workload::Reading& reading = workload.readings[i];
+    map->insert(std::get<RangeScan>(reading.z), reading.T_map_sensor);
   };
-  return drawer;
 }
 
 }  // namespace portolan::bench

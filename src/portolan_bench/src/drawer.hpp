@@ -3,17 +3,13 @@
 
 #include <functional>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "workload.hpp"
 
 namespace portolan::bench {
 
-/// A way to draw a grid map: an empty map of 5 cm cells, and what draws into it.
-struct Drawer {
-  std::function<void(std::size_t scan)> scan;
-  std::function<void(const RangeEcho& echo)> echo;  ///< from the origin
-};
+/// A way to draw a grid map of 5 cm cells, empty at first: draws a reading of the workload, by its
+/// number.
+using Drawer = std::function<void(std::size_t reading)>;
 
 }  // namespace portolan::bench

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "bresenham_grid.hpp"
 #include "our_grid.hpp"
@@ -30,29 +31,22 @@ std::map<std::string, MakeDrawer> peers() {
   return peers;
 }
 
-/// The different cells that a scan updates, in the mean.
-double cells_per_scan(const Workload& load) {
+/// The different cells that a reading updates, in the mean.
+double cells_per_reading(const Workload& load) {
   std::size_t cells = 0;
-  for (const Workload::PosedScan& posed : load.scans) {
+  for (const Workload::Reading& reading : load.readings) {
     GridMapper map(our_options(load.max_range, Margin::none));
-    map.insert(posed.scan, posed.T_map_sensor);
+    map.insert(reading.z, reading.T_map_sensor);
     for (std::int8_t p : map.occupancy(map.bounds())) cells += p >= 0 ? 1 : 0;
   }
-  return static_cast<double>(cells) / static_cast<double>(load.scans.size());
+  return static_cast<double>(cells) / static_cast<double>(load.readings.size());
 }
 
-void report(benchmark::State& state, const Pairs& pairs, double count, double cells) {
-  state.counters["us_peer"] = pairs.peer() / count * 1e6;
-  state.counters["us_ours"] = pairs.ours() / count * 1e6;
-  state.counters["times_faster"] = pairs.ratio();
-  state.counters["ns_per_cell"] = pairs.ours() / (count * cells) * 1e9;
-}
-
-void draw_scans(benchmark::State& state, const Workload& load, const MakeDrawer& make_peer) {
+void draw(benchmark::State& state, const Workload& load, const MakeDrawer& make_peer) {
   Drawer peer = make_peer(load);
   Drawer ours = our_grid(load, Margin::none);
   const auto pass = [&load](Drawer& drawer) {
-    for (std::size_t i = 0; i < load.scans.size(); ++i) drawer.scan(i);
+    for (std::size_t i = 0; i < load.readings.size(); ++i) drawer(i);
   };
   pass(peer);  // warm: all of both maps is there
   pass(ours);
@@ -60,50 +54,33 @@ void draw_scans(benchmark::State& state, const Workload& load, const MakeDrawer&
   for (auto _ : state) {
     state.SetIterationTime(pairs.run([&] { pass(peer); }, [&] { pass(ours); }));
   }
-  report(state, pairs, static_cast<double>(load.scans.size()), cells_per_scan(load));
+  const auto count = static_cast<double>(load.readings.size());
+  state.counters["us_peer"] = pairs.peer() / count * 1e6;
+  state.counters["us_ours"] = pairs.ours() / count * 1e6;
+  state.counters["times_faster"] = pairs.ratio();
+  state.counters["ns_per_cell"] = pairs.ours() / (count * cells_per_reading(load)) * 1e9;
 }
 
-#ifdef PORTOLAN_BENCH_HAS_MRPT
-void draw_echoes(benchmark::State& state, double range) {
-  constexpr int kPings = 1000;
-  const Workload none{"none", 5.0, {}};
-  const RangeEcho echo{range, 0.02, 10.0, M_PI / 6.0};
-  Drawer peer = mrpt_grid(none, false);
-  Drawer ours = our_grid(none, Margin::none);
-  const auto pass = [&echo](Drawer& drawer) {
-    for (int i = 0; i < kPings; ++i) drawer.echo(echo);
-  };
-  pass(peer);
-  pass(ours);
-  Pairs pairs;
-  for (auto _ : state) {
-    state.SetIterationTime(pairs.run([&] { pass(peer); }, [&] { pass(ours); }));
-  }
-  GridMapper one(our_options(5.0, Margin::none));
-  one.insert(echo, Pose::Identity());
-  int cells = 0;
-  for (std::int8_t p : one.occupancy(one.bounds())) cells += p >= 0 ? 1 : 0;
-  report(state, pairs, kPings, cells);
+void add(const std::string& name, const Workload& load, const MakeDrawer& make_peer, int times) {
+  const auto run = [&load, make_peer](benchmark::State& state) { draw(state, load, make_peer); };
+  benchmark::RegisterBenchmark(name.c_str(), run)->UseManualTime()->Iterations(times);
 }
-#endif
 
 const bool kRegistered = [] {
   for (const Workload& load : workloads()) {
-    for (const auto& [name, make] : peers()) {
-      const auto run = [&load, make = make](benchmark::State& state) {
-        draw_scans(state, load, make);
-      };
-      benchmark::RegisterBenchmark(("grid_scan/" + load.name + "/" + name).c_str(), run)
-          ->UseManualTime()
-          ->Iterations(15);
-    }
+    for (const auto& [name, make] : peers())
+      add("grid_scan/" + load.name + "/" + name, load, make, 15);
   }
 #ifdef PORTOLAN_BENCH_HAS_MRPT
-  for (const double range : {1.0, 2.0, 4.0}) {
-    const auto run = [range](benchmark::State& state) { draw_echoes(state, range); };
-    const std::string name = "grid_sonar/30deg_" + std::to_string(static_cast<int>(range)) + "m";
-    benchmark::RegisterBenchmark(name.c_str(), run)->UseManualTime()->Iterations(51);
-  }
+  static const std::vector<Workload> kPings = [] {
+    std::vector<Workload> loads;
+    for (const bool on_the_way : {false, true}) {
+      for (const double range : {1.0, 2.0, 4.0}) loads.push_back(pings(range, on_the_way));
+    }
+    return loads;
+  }();
+  const auto mrpt = [](const Workload& load) { return mrpt_grid(load, false); };
+  for (const Workload& load : kPings) add("grid_sonar/" + load.name, load, mrpt, 51);
 #endif
   return true;
 }();

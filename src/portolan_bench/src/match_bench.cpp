@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "pairs.hpp"
@@ -51,16 +52,16 @@ Pose match(const Task& task, bool wide) {
 std::vector<Task> tasks(const Workload& load, double away, double turned) {
   std::vector<Task> all;
   constexpr std::size_t kPairs = 12;
-  const std::size_t stride = std::max<std::size_t>(1, load.scans.size() / kPairs);
-  for (std::size_t i = 0; i + 1 < load.scans.size(); i += stride) {
-    const auto& a = load.scans[i];
-    const auto& b = load.scans[i + 1];
+  const std::size_t stride = std::max<std::size_t>(1, load.readings.size() / kPairs);
+  for (std::size_t i = 0; i + 1 < load.readings.size(); i += stride) {
+    const auto& a = load.readings[i];
+    const auto& b = load.readings[i + 1];
     const Pose T = a.T_map_sensor.inverse() * b.T_map_sensor;
     for (int way = 0; way < 8; ++way) {
       const double toward = way * M_PI_4;
       const double turn = way % 2 == 0 ? turned : -turned;
       const Pose guess = T * planar_pose(away * std::cos(toward), away * std::sin(toward), turn);
-      all.push_back({&a.scan, &b.scan, T, guess});
+      all.push_back({&std::get<RangeScan>(a.z), &std::get<RangeScan>(b.z), T, guess});
     }
   }
   return all;

@@ -6,80 +6,72 @@
 #include <mrpt/obs/CObservationRange.h>
 
 #include <cmath>
+#include <variant>
+#include <vector>
 
 namespace portolan::bench {
 
 namespace {
 
-struct MrptScan {
-  mrpt::obs::CObservation2DRangeScan scan;
+struct MrptReading {
+  mrpt::obs::CObservation::Ptr observation;
   mrpt::poses::CPose3D pose;
 };
 
-MrptScan convert(const Workload::PosedScan& from, double max_range) {
-  MrptScan to;
-  const std::size_t n = from.scan.ranges.size();
-  to.scan.aperture =
-      static_cast<float>(std::abs(from.scan.angle_increment) * static_cast<double>(n));
-  to.scan.maxRange = static_cast<float>(max_range) + 1.0F;
-  to.scan.rightToLeft = from.scan.angle_increment > 0.0;
-  to.scan.resizeScan(n);
+mrpt::obs::CObservation::Ptr convert(const RangeScan& from, double max_range) {
+  auto to = std::make_shared<mrpt::obs::CObservation2DRangeScan>();
+  const std::size_t n = from.ranges.size();
+  to->aperture = static_cast<float>(std::abs(from.angle_increment) * static_cast<double>(n));
+  to->maxRange = static_cast<float>(max_range) + 1.0F;
+  to->rightToLeft = from.angle_increment > 0.0;
+  to->resizeScan(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const float range = from.scan.ranges[i];
-    const bool valid =
-        range_reading(range, from.scan.range_min, from.scan.range_max) == RangeReading::hit;
-    to.scan.setScanRange(i, valid ? range : 0.0F);
-    to.scan.setScanRangeValidity(i, valid);
+    const float range = from.ranges[i];
+    const bool valid = range_reading(range, from.range_min, from.range_max) == RangeReading::hit;
+    to->setScanRange(i, valid ? range : 0.0F);
+    to->setScanRangeValidity(i, valid);
   }
   // Its beams are centred about the sensor's x axis.
-  const double turn =
-      from.scan.angle_min + from.scan.angle_increment * static_cast<double>(n) / 2.0;
-  to.scan.sensorPose = mrpt::poses::CPose3D(0, 0, 0, turn, 0, 0);
-  const Eigen::Vector3d p = from.T_map_sensor.translation();
-  to.pose = mrpt::poses::CPose3D(p.x(), p.y(), 0, yaw(from.T_map_sensor), 0, 0);
+  const double turn = from.angle_min + from.angle_increment * static_cast<double>(n) / 2.0;
+  to->sensorPose = mrpt::poses::CPose3D(0, 0, 0, turn, 0, 0);
   return to;
 }
 
-mrpt::obs::CObservationRange convert(const RangeEcho& echo) {
-  mrpt::obs::CObservationRange to;
-  to.minSensorDistance = static_cast<float>(echo.range_min);
-  to.maxSensorDistance = static_cast<float>(echo.range_max);
-  to.sensorConeApperture = static_cast<float>(echo.aperture);
+mrpt::obs::CObservation::Ptr convert(const RangeEcho& echo) {
+  auto to = std::make_shared<mrpt::obs::CObservationRange>();
+  to->minSensorDistance = static_cast<float>(echo.range_min);
+  to->maxSensorDistance = static_cast<float>(echo.range_max);
+  to->sensorConeApperture = static_cast<float>(echo.aperture);
   mrpt::obs::CObservationRange::TMeasurement measurement;
   measurement.sensedDistance = static_cast<float>(echo.range);
-  to.sensedData.push_back(measurement);
+  to->sensedData.push_back(measurement);
   return to;
+}
+
+MrptReading convert(const Workload::Reading& from, double max_range) {
+  const auto* scan = std::get_if<RangeScan>(&from.z);
+  const Eigen::Vector3d p = from.T_map_sensor.translation();
+  return {scan ? convert(*scan, max_range) : convert(std::get<RangeEcho>(from.z)),
+          mrpt::poses::CPose3D(p.x(), p.y(), 0, yaw(from.T_map_sensor), 0, 0)};
 }
 
 }  // namespace
 
 Drawer mrpt_grid(const Workload& workload, bool widening) {
-  Eigen::Vector2d low(-1.0, -1.0), high(1.0, 1.0);
-  auto scans = std::make_shared<std::vector<MrptScan>>();
-  for (const Workload::PosedScan& posed : workload.scans) {
-    scans->push_back(convert(posed, workload.max_range));
-    low = low.cwiseMin(posed.T_map_sensor.translation().head<2>());
-    high = high.cwiseMax(posed.T_map_sensor.translation().head<2>());
+  auto readings = std::make_shared<std::vector<MrptReading>>();
+  for (const Workload::Reading& reading : workload.readings) {
+    readings->push_back(convert(reading, workload.max_range));
   }
-  const double reach = workload.max_range + 2.0;  // presized, so that it never grows
+  const Eigen::AlignedBox2f extent = workload.extent().cast<float>();  // so that it never grows
   auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>(
-      static_cast<float>(low.x() - reach), static_cast<float>(high.x() + reach),
-      static_cast<float>(low.y() - reach), static_cast<float>(high.y() + reach), 0.05F);
+      extent.min().x(), extent.max().x(), extent.min().y(), extent.max().y(), 0.05F);
   map->insertionOptions.maxDistanceInsertion = static_cast<float>(workload.max_range) + 1.0F;
   map->insertionOptions.wideningBeamsWithDistance = widening;
   map->insertionOptions.considerInvalidRangesAsFreeSpace = false;
   map->insertionOptions.maxOccupancyUpdateCertainty = 0.75F;
-  Drawer drawer;
-  drawer.scan = [map, scans](std::size_t i) {
-    map->insertObservation((*scans)[i].scan, (*scans)[i].pose);
+  return [map, readings](std::size_t i) {
+    map->insertObservation(*(*readings)[i].observation, (*readings)[i].pose);
   };
-  drawer.echo = [map, ping = std::make_shared<mrpt::obs::CObservationRange>(),
-                 last = RangeEcho{}](const RangeEcho& echo) mutable {
-    if (echo.range != last.range) *ping = convert(echo);
-    last = echo;
-    map->insertObservation(*ping, mrpt::poses::CPose3D());
-  };
-  return drawer;
 }
 
 }  // namespace portolan::bench

@@ -13,14 +13,9 @@ GridOptions our_options(double max_range, Margin margin) {
 
 Drawer our_grid(const Workload& workload, Margin margin) {
   auto map = std::make_shared<GridMapper>(our_options(workload.max_range, margin));
-  auto scans = std::make_shared<std::vector<GridMapper::Observation>>();
-  for (const Workload::PosedScan& posed : workload.scans) scans->emplace_back(posed.scan);
-  Drawer drawer;
-  drawer.scan = [map, scans, &workload](std::size_t i) {
-    map->insert((*scans)[i], workload.scans[i].T_map_sensor);
+  return [map, &workload](std::size_t i) {
+    map->insert(workload.readings[i].z, workload.readings[i].T_map_sensor);
   };
-  drawer.echo = [map](const RangeEcho& echo) { map->insert(echo, Pose::Identity()); };
-  return drawer;
 }
 
 }  // namespace portolan::bench

@@ -20,14 +20,15 @@ void rebuild_map(benchmark::State& state) {
   Remapper<GridMapper> remapper(RemapperOptions{}, options);
   std::vector<GridMapper::Observation> scans;
   for (int i = 0; i < kScans; ++i) {
-    const auto& [scan, T_map_sensor] = load.scans[static_cast<std::size_t>(i) % load.scans.size()];
+    const auto& [scan, T_map_sensor] =
+        load.readings[static_cast<std::size_t>(i) % load.readings.size()];
     scans.emplace_back(scan);
     remapper.observe(Time(seconds(0.1 * i)), T_map_sensor, scan);
   }
   const auto insert_all = [&] {
     GridMapper map(options);
     for (std::size_t i = 0; i < scans.size(); ++i) {
-      map.insert(scans[i], load.scans[i % load.scans.size()].T_map_sensor);
+      map.insert(scans[i], load.readings[i % load.readings.size()].T_map_sensor);
     }
     benchmark::DoNotOptimize(map.revision());
   };

@@ -97,22 +97,31 @@ Workload simulate(const std::string& world, const std::vector<Wall>& walls,
       scan.ranges.push_back(range < max_range ? static_cast<float>(range)
                                               : std::numeric_limits<float>::infinity());
     }
-    load.scans.push_back({scan, planar_pose(at.x(), at.y(), at.z())});
+    load.readings.push_back({std::move(scan), planar_pose(at.x(), at.y(), at.z())});
   }
   return load;
 }
 
 // Along the middle of a corridor of rooms, through the doors, turning a little.
-std::vector<Eigen::Vector3d> straight(double length, double y) {
+std::vector<Eigen::Vector3d> straight(double length, double y, int steps = 200) {
   std::vector<Eigen::Vector3d> path;
-  for (int i = 0; i < 200; ++i) {
-    const double part = i / 200.0;
+  for (int i = 0; i < steps; ++i) {
+    const double part = static_cast<double>(i) / steps;
     path.emplace_back(1.0 + part * (length - 2.0), y + 0.2 * std::sin(20.0 * part), 6.0 * part);
   }
   return path;
 }
 
 }  // namespace
+
+Eigen::AlignedBox2d Workload::extent() const {
+  Eigen::AlignedBox2d box;
+  for (const Reading& reading : readings) {
+    box.extend(Eigen::Vector2d(reading.T_map_sensor.translation().head<2>()));
+  }
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(max_range + 2.0);
+  return {box.min() - reach, box.max() + reach};
+}
 
 Workload rooms(int beams, double aperture, double max_range) {
   return simulate("rooms", room_walls(), straight(24.0, 9.0), beams, aperture, max_range);
@@ -122,6 +131,17 @@ Workload hall(int beams, double aperture, double max_range) {
   return simulate("hall", hall_walls(), straight(30.0, 8.0), beams, aperture, max_range);
 }
 
+Workload pings(double range, bool on_the_way) {
+  constexpr int kPings = 1000;
+  Workload load{"30deg_" + std::to_string(static_cast<int>(range)) + "m", 5.0, {}};
+  if (on_the_way) load.name += "_on_the_way";
+  for (const Eigen::Vector3d& at : straight(24.0, 9.0, kPings)) {
+    const Pose place = on_the_way ? planar_pose(at.x(), at.y(), at.z()) : Pose::Identity();
+    load.readings.push_back({RangeEcho{range, 0.02, 10.0, M_PI / 6.0}, place});
+  }
+  return load;
+}
+
 #ifdef PORTOLAN_BENCH_HAS_MRPT
 Workload rawlog(const std::string& path, double max_range) {
   Workload load{"real_log", max_range, {}};
@@ -129,7 +149,7 @@ Workload rawlog(const std::string& path, double max_range) {
     for (float& range : seen.scan.ranges) {
       if (static_cast<double>(range) > max_range) range = std::numeric_limits<float>::infinity();
     }
-    load.scans.push_back({std::move(seen.scan), seen.T_odom_base * seen.T_base_sensor});
+    load.readings.push_back({std::move(seen.scan), seen.T_odom_base * seen.T_base_sensor});
   }
   return load;
 }
