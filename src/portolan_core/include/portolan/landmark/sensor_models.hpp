@@ -12,8 +12,8 @@ namespace portolan {
 template <int size, bool scale_free>
 struct PointModel {
   static constexpr int kSize = size;
-  static constexpr bool kScaleFree =
-      scale_free;  ///< h(s l) = h(l), s > 0: holds for directions too
+  /// Whether h(s l) = h(l) for s > 0, so that it also holds for directions.
+  static constexpr bool kScaleFree = scale_free;
   using Vector = Eigen::Matrix<double, kSize, 1>;
   using Jacobian = Eigen::Matrix<double, kSize, 3>;
 
