@@ -17,7 +17,7 @@ void update_whole_tiles(benchmark::State& state) {
   const TileBits occupied{};
   for (auto _ : state) {
     for (TileMap::Tile& tile : tiles) {
-      update_cells(tile, free, occupied, 0, TileMap::kSide, update);
+      update_cells(tile, free, occupied, update);
     }
     benchmark::ClobberMemory();
   }

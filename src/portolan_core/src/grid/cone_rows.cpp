@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "portolan/grid/cell_rows.hpp"
+#include "portolan/grid/row_update.hpp"
 #include "portolan/grid/row_vectors.hpp"
 
 namespace portolan {
@@ -38,11 +38,7 @@ class Pen {
       end_ = static_cast<std::size_t>(std::min(kSide, cone_.covered.max.y - y * kSide));
       find_spans(from_tile(cone_.apex.y, y));
       for (int x = first.x; x <= last.x; ++x) {
-        if (!draw_tile(from_tile(cone_.apex.x, x))) continue;
-        TileMap::Tile& tile = map_.at({x, y});
-        tile.revision = revision_;
-        update_cells(tile, free_, occupied_, begin_, end_, update_);
-        is_empty = false;
+        is_empty = !draw_tile({x, y}) && is_empty;
       }
     }
     return !is_empty;
@@ -75,9 +71,10 @@ class Pen {
     }
   }
 
-  // In a tile in which the apex has this x; false where it has no cell there.
-  bool draw_tile(double x) {
-    Words any{};
+  // False where the cone has no cell in the tile.
+  bool draw_tile(Cell index) {
+    const double x = from_tile(cone_.apex.x, index.x);
+    TileMap::Tile* tile = nullptr;
     for (std::size_t row = first_row(); row < end_; row += kCount) {
       Words free{};
       Words all{};
@@ -86,14 +83,18 @@ class Pen {
         free |= bits_from(x + spans.free_from) & ~bits_from(x + spans.free_to);
         all |= bits_from(x + spans.from) & ~bits_from(x + spans.to);
       }
-      const Words occupied = all & ~free;
-      std::memcpy(&free_[row], &free, sizeof(free));
-      std::memcpy(&occupied_[row], &occupied, sizeof(occupied));
-      any |= all;
+      if (tile == nullptr && is_zero(all)) continue;
+      if (tile == nullptr) tile = &map_.at(index);
+      update_(tile->row(static_cast<int>(row)), free, all & ~free);
     }
-    std::array<std::uint64_t, kCount> words;
-    std::memcpy(words.data(), &any, sizeof(any));
-    return std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
+    if (tile != nullptr) tile->revision = revision_;
+    return tile != nullptr;
+  }
+
+  static bool is_zero(Words words) {
+    std::uint64_t any = 0;
+    for (int i = 0; i < Rows::kCount; ++i) any |= words[i];
+    return any == 0;
   }
 
   static Doubles x_of(const ConeRows::Line& line, Doubles y) {
@@ -130,15 +131,12 @@ class Pen {
 
   const ConeRows& cone_;
   TileMap& map_;
-  const CellUpdate& update_;
+  RowUpdate<Rows> update_;
   std::uint64_t revision_;
   // Of the band at hand.
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::array<std::array<Spans, ConeRows::kMaxWedges>, kSide / kCount> spans_;
-  // Of the tile at hand.
-  TileBits free_;
-  TileBits occupied_;
 };
 
 }  // namespace

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "portolan/grid/region_rows.hpp"
+#include "portolan/grid/row_update.hpp"
+
 namespace portolan {
 
 namespace {
@@ -84,39 +87,45 @@ void Footprint::settle(std::vector<Word>& into, FinePoint min, FinePoint max) {
 }
 
 CellRect Footprint::apply(TileMap& map, const CellUpdate& update, std::uint64_t revision) {
-  bool is_empty = true;
-  for (int band = 0; band < rows_ / kSide; ++band) {
-    band_begin_ = static_cast<std::size_t>(std::max(0, first_row_ - band * kSide));
-    band_end_ = static_cast<std::size_t>(std::min(kSide, end_row_ - band * kSide));
-    carry_.fill(0);
-    struck_carry_.fill(0);
-    carries_ = struck_carries_ = false;
-    for (int strip = 0; strip < strips_; ++strip) {
-      if (!take_bits(strip, band)) continue;
-      TileMap::Tile& tile = map.at({tile_.x + strip, tile_.y + band});
-      tile.revision = revision;
-      is_empty = false;
-      update_cells(tile, freed_, hit_, band_begin_, band_end_, update);
-    }
-  }
-  return is_empty ? CellRect{} : covered_;
+  const bool any = with_widest_rows([&](auto by) {
+    using Rows = decltype(by);
+    return put(map, RowUpdate<Rows>(update), revision, by);
+  });
+  return any ? covered_ : CellRect{};
 }
 
-// Moves the bits of a tile to freed_ and hit_ and clears them here; false where there are none.
-bool Footprint::take_bits(int strip, int band) {
-  const std::size_t tile = tile_at(strip * kSide, band * kSide);
-  const bool has_free = carries_ || is_toggled_[tile] || is_free_[tile];
-  if (!has_free && !struck_carries_ && !is_struck_[tile] && !is_occupied_[tile]) return false;
-  const std::size_t first =
-      std::size_t(strip) * std::size_t(rows_) + std::size_t(band) * std::size_t(kSide);
-  const auto marked = [&](std::vector<Word>& plane, std::vector<std::uint8_t>& marks) {
-    return std::exchange(marks[tile], std::uint8_t{0}) != 0 ? &plane[first] : nullptr;
-  };
-  carries_ = take_rows(marked(toggled_, is_toggled_), marked(free_, is_free_), band_begin_,
-                       band_end_, carry_, freed_);
-  struck_carries_ = take_rows(marked(struck_, is_struck_), marked(occupied_, is_occupied_),
-                              band_begin_, band_end_, struck_carry_, hit_);
-  return true;
+// Takes all bits out of the planes and puts them into a map; false where there are none.
+template <class Rows>
+bool Footprint::put(TileMap& map, const RowUpdate<Rows>& update, std::uint64_t revision, Rows) {
+  bool any = false;
+  for (int band = 0; band < rows_ / kSide; ++band) {
+    const int begin = std::max(0, first_row_ - band * kSide) & -Rows::kCount;
+    const int end = std::min(kSide, end_row_ - band * kSide);
+    RegionRows free;
+    RegionRows occupied;
+    for (int strip = 0; strip < strips_; ++strip) {
+      const std::size_t tile = tile_at(strip * kSide, band * kSide);
+      free.enter(marked(toggled_, is_toggled_, tile), marked(free_, is_free_, tile));
+      occupied.enter(marked(struck_, is_struck_, tile), marked(occupied_, is_occupied_, tile));
+      if (free.is_empty() && occupied.is_empty()) continue;
+      any = true;
+      TileMap::Tile& cells = map.at({tile_.x + strip, tile_.y + band});
+      cells.revision = revision;
+      for (int row = begin; row < end; row += Rows::kCount) {
+        const auto i = static_cast<std::size_t>(row);
+        update(cells.row(row), free.take<Rows>(i), occupied.take<Rows>(i));
+      }
+      free.leave();
+      occupied.leave();
+    }
+  }
+  return any;
+}
+
+// The rows of a tile in a plane, and no longer marked there; null where they are empty.
+Footprint::Word* Footprint::marked(std::vector<Word>& plane, std::vector<std::uint8_t>& marks,
+                                   std::size_t tile) {
+  return std::exchange(marks[tile], std::uint8_t{0}) != 0 ? &plane[tile * kSide] : nullptr;
 }
 
 }  // namespace portolan

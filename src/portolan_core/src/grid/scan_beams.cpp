@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "portolan/grid/row_vectors.hpp"
 #include "portolan/observation/range_reading.hpp"
 
 namespace portolan {
@@ -47,6 +48,30 @@ void read(const float* __restrict ranges, std::size_t n, const Limits& limits, d
     beyond[i] = echo > 0.0 ? behind : 0.0;
     free[i] = freed < m.usable ? freed : m.usable;
   }
+}
+
+// So many directions, seen from the map.
+void turn(const Eigen::Matrix2d& R, std::size_t n, const double* __restrict x,
+          const double* __restrict y, double* __restrict map_x, double* __restrict map_y) {
+  const double xx = R(0, 0), xy = R(0, 1), yx = R(1, 0), yy = R(1, 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    map_x[i] = xx * x[i] + xy * y[i];
+    map_y[i] = yx * x[i] + yy * y[i];
+  }
+}
+
+// One coordinate of points at these ranges in these directions.
+void round(const FineGrid& to, std::size_t n, const double* __restrict range,
+           const double* __restrict direction, std::int32_t* __restrict fine) {
+  const FineGrid grid = to;
+  for (std::size_t i = 0; i < n; ++i) fine[i] = grid.coordinate(range[i] * direction[i]);
+}
+
+FineBounds united(const FineBounds& with, const std::int32_t* x, const std::int32_t* y,
+                  std::size_t n) {
+  FineBounds bounds = with;
+  for (std::size_t i = 0; i < n; ++i) bounds.add({x[i], y[i]});
+  return bounds;
 }
 
 FinePoint operator+(FinePoint a, FinePoint b) { return {a.x + b.x, a.y + b.y}; }
@@ -111,18 +136,18 @@ void ScanBeams::look_up_ranges(const RangeScan& scan, const GridOptions& options
   limits.usable = model.max_range;
   limits.no_return =
       model.no_return == NoReturn::clear ? std::min(model.max_range, scan.range_max) : 0.0;
-  read(scan.ranges.data(), n, limits, d, range_.data(), hit_.data(), beyond_.data());
+  with_widest_rows([&](auto) {
+    read(scan.ranges.data(), n, limits, d, range_.data(), hit_.data(), beyond_.data());
+  });
 }
 
 void ScanBeams::turn_directions() {
-  const double xx = R_(0, 0), xy = R_(0, 1), yx = R_(1, 0), yy = R_(1, 1);
   const std::size_t n = range_.size();
   map_x_.resize(n);
   map_y_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    map_x_[i] = xx * direction_x_[i] + xy * direction_y_[i];
-    map_y_[i] = yx * direction_x_[i] + yy * direction_y_[i];
-  }
+  with_widest_rows([&](auto) {
+    turn(R_, n, direction_x_.data(), direction_y_.data(), map_x_.data(), map_y_.data());
+  });
   centre_ = {};
 }
 
@@ -162,25 +187,23 @@ void ScanBeams::sweep(const RangeScan& scan, const Pose& T_map_sensor) {
   bounds_.add(centre_);
 }
 
-void ScanBeams::put(const std::vector<double>& range, Points& points) {
+void ScanBeams::put(const std::vector<double>& range, FinePoints& points) {
   const std::size_t n = range.size();
-  points.x.resize(n);
-  points.y.resize(n);
-  const FineGrid grid = grid_;
-  for (std::size_t i = 0; i < n; ++i) {
-    const FinePoint p = grid.point(range[i] * map_x_[i], range[i] * map_y_[i]);
-    points.x[i] = p.x;
-    points.y[i] = p.y;
-  }
+  points.x.resize(n + 1);
+  points.y.resize(n + 1);
+  with_widest_rows([&](auto) {
+    round(grid_, n, range.data(), map_x_.data(), points.x.data());
+    round(grid_, n, range.data(), map_y_.data(), points.y.data());
+  });
   if (is_swept_) {
     for (std::size_t i = 0; i < n; ++i) {
       points.x[i] += origin_.x[i];
       points.y[i] += origin_.y[i];
     }
   }
-  FineBounds bounds = bounds_;
-  for (std::size_t i = 0; i < n; ++i) bounds.add(points.at(i));
-  bounds_ = bounds;
+  points.x[n] = points.x[0];
+  points.y[n] = points.y[0];
+  with_widest_rows([&](auto) { bounds_ = united(bounds_, points.x.data(), points.y.data(), n); });
 }
 
 void ScanBeams::count_turn(const RangeScan& scan) {

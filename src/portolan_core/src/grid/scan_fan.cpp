@@ -144,33 +144,11 @@ void ScanFan::draw_echoes(Footprint& footprint) {
 
 // The rims of the sectors, which are those of the strips between echoes, too.
 void ScanFan::draw_rims(Footprint& footprint) {
-  find_crossing(footprint);
   const Footprint::Pen free = footprint.outline_pen();
+  rims_.toggle(beams_.ends(), is_rim_, free.shift, free.plane);
+  if (!beams_.has_margin()) return;
   const Footprint::Pen occupied = footprint.occupied_outline_pen();
-  for_each_apart(crossing_.size(), [this, free, occupied](std::size_t k) {
-    const std::size_t i = crossing_[k];
-    const FinePoint a = beams_.end(i);
-    const FinePoint b = beams_.end(next(i));
-    if (is_rim_[i] != 0) free.toggle(a, b);
-    if (is_strip_[i] != 0) occupied.toggle(a, b);
-  });
-}
-
-// Where beams are dense few of their rims cross the centre of a row, at random: a branch on that
-// would cost more than all the rest.
-void ScanFan::find_crossing(const Footprint& footprint) {
-  const std::size_t n = beams_.size();
-  first_row_.resize(n + 1);
-  for (std::size_t i = 0; i < n; ++i) first_row_[i] = footprint.first_row_above(beams_.end(i).y);
-  first_row_[n] = first_row_[0];
-  crossing_.resize(n);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    crossing_[count] = static_cast<std::uint32_t>(i);
-    const bool is_drawn = (is_rim_[i] | is_strip_[i]) != 0;
-    count += static_cast<std::size_t>(is_drawn & (first_row_[i] != first_row_[i + 1]));
-  }
-  crossing_.resize(count);
+  rims_.toggle(beams_.ends(), is_strip_, occupied.shift, occupied.plane);
 }
 
 void ScanFan::draw_strips(Footprint& footprint) const {

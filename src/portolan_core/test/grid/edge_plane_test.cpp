@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "portolan/grid/tile_map.hpp"
+
 namespace portolan {
 namespace {
 
@@ -32,41 +34,6 @@ TEST(EdgePlane, TogglesEdgesOfAnyLengthRowByRow) {
                          [&](int row, int column) { expected.edges.toggle_from(column, row); });
     ASSERT_EQ(plane.words, expected.words) << "round " << round;
     ASSERT_EQ(plane.marks, expected.marks) << "round " << round;
-  }
-}
-
-TEST(TakeRows, AddsTheParityOfEdgesAndSetBits) {
-  std::mt19937_64 random(1);
-  for (int round = 0; round < 64; ++round) {
-    const std::size_t begin = random() % 64;
-    const std::size_t end = begin + random() % (65 - begin);
-    TileBits toggled{}, set{}, carry{}, bits{};
-    for (std::size_t i = begin; i < end; ++i) {
-      toggled[i] = random();
-      set[i] = random() & random();
-      carry[i] = random() % 2 ? ~std::uint64_t{0} : 0;
-    }
-    const bool has_edges = round % 2 == 0;
-    const bool has_set = round % 4 < 2;
-    const TileBits edges = has_edges ? toggled : TileBits{};
-    const TileBits more = has_set ? set : TileBits{};
-    const TileBits left = carry;
-    const bool goes_on = take_rows(has_edges ? toggled.data() : nullptr,
-                                   has_set ? set.data() : nullptr, begin, end, carry, bits);
-    bool expected_on = false;
-    for (std::size_t i = begin; i < end; ++i) {
-      ASSERT_EQ(bits[i], (edges[i] ^ left[i]) | more[i]) << "round " << round << " row " << i;
-      const bool is_odd = ((edges[i] ^ left[i]) >> 63) != 0;
-      ASSERT_EQ(carry[i], is_odd ? ~std::uint64_t{0} : 0) << "round " << round << " row " << i;
-      expected_on = expected_on || is_odd;
-    }
-    EXPECT_EQ(goes_on, expected_on);
-    if (has_edges) {
-      EXPECT_EQ(toggled, TileBits{});
-    }
-    if (has_set) {
-      EXPECT_EQ(set, TileBits{});
-    }
   }
 }
 

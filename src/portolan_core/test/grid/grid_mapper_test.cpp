@@ -196,8 +196,8 @@ TEST(UpdateCells, IsTheSameWithAndWithoutWideVectors) {
       occupied[i] = i % 3 == 0 ? 0 : random() & random();
     }
     TileMap::Tile portable = tile;
-    update_cells(tile, free, occupied, 0, TileMap::kSide, update);
-    cell_rows_detail::update_cells_portably(portable, free, occupied, 0, TileMap::kSide, update);
+    update_cells(tile, free, occupied, update);
+    cell_rows_detail::update_cells_portably(portable, free, occupied, update);
     EXPECT_EQ(tile.cells, portable.cells);
   }
 }

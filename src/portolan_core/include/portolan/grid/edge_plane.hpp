@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "portolan/grid/cell_rows.hpp"
 #include "portolan/grid/fine_walk.hpp"
 
 namespace portolan {
@@ -45,12 +44,5 @@ struct EdgePlane {
   static constexpr std::int32_t kLong = 16 * FinePoint::kCell;
   void toggle_long(FinePoint a, FinePoint b) const;  // rows by a few, with the same result
 };
-
-/// Takes the bits of a tile's rows [begin, end) out of a plane of edges, and out of a plane of set
-/// bits, where a null is no plane. `carry` is the parity of the edges left of each row and becomes
-/// that of those left of the next tile; true where some is odd. Rows beside must be empty and may
-/// be taken as well.
-bool take_rows(std::uint64_t* toggled, std::uint64_t* set, std::size_t begin, std::size_t end,
-               TileBits& carry, TileBits& bits);
 
 }  // namespace portolan

@@ -20,9 +20,10 @@ class FineGrid {
             nearest<std::int64_t>(p_map.y() * fine_per_metre_)};
   }
 
-  /// A point so far from its anchor [m].
-  FinePoint point(double x, double y) const {
-    return {nearest<std::int32_t>(x * fine_per_metre_), nearest<std::int32_t>(y * fine_per_metre_)};
+  /// A point so far from its anchor [m], and one coordinate of it.
+  FinePoint point(double x, double y) const { return {coordinate(x), coordinate(y)}; }
+  std::int32_t coordinate(double metres) const {
+    return nearest<std::int32_t>(metres * fine_per_metre_);
   }
 
   std::int64_t length(double metres) const {

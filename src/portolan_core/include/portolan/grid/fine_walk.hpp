@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <utility>
 
 namespace portolan {
 
@@ -28,7 +28,11 @@ inline int first_centre(std::int32_t p) {
   return (p + FinePoint::kCell / 2 - 1) >> FinePoint::kCellLog2;
 }
 
-/// A line on its way through the rows whose centres lie in [a.y, b.y) or [b.y, a.y).
+/// Does a line between these pass the centre of a row?
+inline bool passes_row(FinePoint a, FinePoint b) { return first_centre(a.y) != first_centre(b.y); }
+
+/// A line on its way through the rows whose centres lie in [a.y, b.y) or [b.y, a.y); there must be
+/// some.
 struct Walk {
   int row = 0;                ///< the first one
   int end = 0;                ///< the one after the last
@@ -36,18 +40,18 @@ struct Walk {
   std::int64_t step = 0;      ///< from row to row
 
   /// Coordinates must not be negative.
-  Walk(FinePoint a, FinePoint b, double offset) : row(first_centre(a.y)), end(first_centre(b.y)) {
-    if (row == end) return;
-    if (row > end) {
-      std::swap(a, b);
-      std::swap(row, end);
-    }
+  Walk(FinePoint a, FinePoint b, double offset) {
+    const int above_a = first_centre(a.y);
+    const int above_b = first_centre(b.y);
+    row = std::min(above_a, above_b);
+    end = std::max(above_a, above_b);
     const double slope = static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
     constexpr int kHalf = FinePoint::kCell / 2;
     const double to_first = row * FinePoint::kCell + kHalf - a.y;
     const double x = (a.x + to_first * slope) * (1.0 / FinePoint::kCell) + offset;
     position = static_cast<std::int64_t>(x * 0x1p49);
-    step = static_cast<std::int64_t>(slope * 0x1p49);
+    const double makes_steps = std::min(end - row - 1, 1);  // one row may be too flat for one
+    step = static_cast<std::int64_t>(makes_steps * slope * 0x1p49);
   }
 
   std::int64_t at(int in_row) const { return position + (in_row - row) * step; }
@@ -57,10 +61,10 @@ struct Walk {
 /// where x is the line's position at that centre, in cells. Coordinates must not be negative.
 template <class Visit>
 void walk_rows(FinePoint a, FinePoint b, double offset, Visit visit) {
+  if (!passes_row(a, b)) return;
   const Walk walk(a, b, offset);
-  std::int64_t position = walk.position;
-  for (int row = walk.row; row < walk.end; ++row, position += walk.step) {
-    visit(row, static_cast<int>(position >> kPlaces));
+  for (int row = walk.row; row < walk.end; ++row) {
+    visit(row, static_cast<int>(walk.at(row) >> kPlaces));
   }
 }
 

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "portolan/grid/cell.hpp"
-#include "portolan/grid/cell_rows.hpp"
 #include "portolan/grid/edge_plane.hpp"
 #include "portolan/grid/fine_walk.hpp"
 #include "portolan/grid/tile_map.hpp"
 
 namespace portolan {
+
+template <class Rows>
+class RowUpdate;
 
 /// The cells that one observation frees and those that it occupies, as bits; drawn here first, then
 /// put into a map, so that each cell is updated at most once and occupied wins over free.
@@ -35,10 +37,6 @@ class Footprint {
   /// that is larger than any sensor's reach.
   bool open(Anchor anchor, FinePoint min, FinePoint max);
 
-  /// The first row whose centre lies at this height or above: an edge between two points of the
-  /// same such row crosses none.
-  int first_row_above(std::int32_t y) const { return fine_walk::first_centre(y + shift_.y); }
-
   /// An edge of the outline of the free region. The edges of all closed outlines together decide by
   /// the even-odd rule.
   void outline(FinePoint a, FinePoint b) {
@@ -48,17 +46,6 @@ class Footprint {
   /// The same of the occupied region.
   void outline_occupied(FinePoint a, FinePoint b) {
     edges(struck_, is_struck_).toggle(in_window(a), in_window(b));
-  }
-
-  /// An edge of both.
-  void outline_both(FinePoint a, FinePoint b) {
-    const EdgePlane toggled = edges(toggled_, is_toggled_);
-    const EdgePlane struck = edges(struck_, is_struck_);
-    fine_walk::walk_rows(in_window(a), in_window(b), EdgePlane::kOffset,
-                         [toggled, struck](int row, int column) {
-                           toggled.toggle_from(column, row);
-                           struck.toggle_from(column, row);
-                         });
   }
 
   /// Frees a polygon whatever it overlaps. Not between `outline`s.
@@ -111,7 +98,9 @@ class Footprint {
   }
   void fill(std::vector<Word>& into, const FinePoint* corners, int count);
   void settle(std::vector<Word>& into, FinePoint min, FinePoint max);
-  bool take_bits(int strip, int band);
+  template <class Rows>
+  bool put(TileMap& map, const RowUpdate<Rows>& update, std::uint64_t revision, Rows);
+  static Word* marked(std::vector<Word>& plane, std::vector<std::uint8_t>& marks, std::size_t tile);
 
   CellRect covered_;   // in the map
   Cell tile_;          // index of the window's lowest tile
@@ -130,14 +119,6 @@ class Footprint {
   std::vector<std::uint8_t> is_struck_;
   std::vector<std::uint8_t> is_free_;
   std::vector<std::uint8_t> is_occupied_;
-  // Of the tile that is put into the map.
-  TileBits carry_{};  // by row: the parity left of it
-  TileBits struck_carry_{};
-  bool carries_ = false;
-  bool struck_carries_ = false;
-  std::size_t band_begin_ = 0;  // its covered rows
-  std::size_t band_end_ = 0;
-  TileBits freed_{}, hit_{};
 };
 
 }  // namespace portolan

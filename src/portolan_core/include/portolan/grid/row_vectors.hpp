@@ -38,12 +38,13 @@ struct EightRows {
 
 namespace row_vectors_detail {
 
-inline const bool kHasAvx512 =
-    __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+inline const bool kHasAvx512 = __builtin_cpu_supports("avx512bw") != 0 &&
+                               __builtin_cpu_supports("avx512dq") != 0 &&
+                               __builtin_cpu_supports("avx512vl") != 0;
 inline const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
 
 template <class Work>
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] auto by_eight(Work work) {
+[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl"), gnu::flatten]] auto by_eight(Work work) {
   return work(EightRows{});
 }
 

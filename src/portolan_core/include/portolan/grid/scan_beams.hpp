@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "portolan/grid/chain_edges.hpp"
 #include "portolan/grid/fine_grid.hpp"
 #include "portolan/grid/footprint.hpp"
 #include "portolan/grid/grid_options.hpp"
@@ -28,6 +29,7 @@ class ScanBeams {
 
   FinePoint origin(std::size_t i) const;                     ///< of the beam
   FinePoint end(std::size_t i) const { return end_.at(i); }  ///< of what it frees
+  const FinePoints& ends() const { return end_; }            ///< and the first one once more
   FinePoint echo(std::size_t i) const { return has_margin_ ? echo_.at(i) : end_.at(i); }
   FinePoint far(std::size_t i) const { return far_.at(i); }  ///< the margin beyond the echo
   FinePoint beside(std::size_t i, double side) const;  ///< of the end, `side` half steps further on
@@ -54,18 +56,12 @@ class ScanBeams {
   bool is_round() const { return is_round_; }
 
  private:
-  struct Points {
-    std::vector<std::int32_t> x;
-    std::vector<std::int32_t> y;
-    FinePoint at(std::size_t i) const { return {x[i], y[i]}; }
-  };
-
   void look_up_directions(const RangeScan& scan);
   void look_up_ranges(const RangeScan& scan, const GridOptions& options);
   void turn_directions();
   void sweep(const RangeScan& scan, const Pose& T_map_sensor);
   void count_turn(const RangeScan& scan);
-  void put(const std::vector<double>& range, Points& points);
+  void put(const std::vector<double>& range, FinePoints& points);
 
   // Directions of the beams, of the scan that they were made for.
   double angle_min_ = 0.0;
@@ -93,10 +89,10 @@ class ScanBeams {
   std::vector<double> beyond_;
   std::vector<double> map_x_;  // directions in the map
   std::vector<double> map_y_;
-  Points origin_;
-  Points end_;
-  Points echo_;
-  Points far_;
+  FinePoints origin_;
+  FinePoints end_;
+  FinePoints echo_;
+  FinePoints far_;
 };
 
 }  // namespace portolan

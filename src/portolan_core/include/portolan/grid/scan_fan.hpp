@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "portolan/grid/chain_edges.hpp"
 #include "portolan/grid/footprint.hpp"
 #include "portolan/grid/scan_beams.hpp"
 
@@ -31,7 +32,6 @@ class ScanFan {
   void draw_rays(Footprint& footprint) const;
   void draw_overlapping(Footprint& footprint) const;
   void draw_rims(Footprint& footprint);
-  void find_crossing(const Footprint& footprint);
   void draw_echoes(Footprint& footprint);
   void draw_strips(Footprint& footprint) const;
   std::size_t next(std::size_t i) const { return i + 1 < beams_.size() ? i + 1 : 0; }
@@ -45,8 +45,7 @@ class ScanFan {
   // strip between their echoes?
   std::vector<std::uint8_t> is_rim_;
   std::vector<std::uint8_t> is_strip_;
-  std::vector<std::int32_t> first_row_;   // above each end
-  std::vector<std::uint32_t> crossing_;   // beams whose rim or strip crosses the centre of a row
+  ChainEdges rims_;
   std::vector<Edge> outline_;             // the rest of it: where chains of sectors end
   std::vector<Edge> overlapping_;         // sectors beyond the first turn
   std::vector<std::size_t> more_strips_;  // beyond the first turn
