@@ -33,46 +33,12 @@ std::size_t update_size(const Supernode& supernode) {
   return at(update_step<n>(supernode) * supernode.rows_below() * n);
 }
 
-// The most that the stack holds at any time.
+// A column of blocks, of rows that stay neighbours.
 template <int n>
-std::size_t stack_size(const BlockPattern& pattern, const std::vector<int>& children) {
-  std::vector<std::size_t> sizes;
-  std::size_t used = 0;
-  std::size_t most = 0;
-  for (std::size_t s = 0; s < pattern.supernodes().size(); ++s) {
-    const std::size_t size = update_size<n>(pattern.supernodes()[s]);
-    most = std::max(most, used + size);
-    for (int child = 0; child < children[s]; ++child) {
-      used -= sizes.back();
-      sizes.pop_back();
-    }
-    sizes.push_back(size);
-    used += size;
+void subtract(const double* from, Index from_step, int rows, double* to, Index to_step) {
+  for (int j = 0; j < n; ++j, from += from_step, to += to_step) {
+    for (Index i = 0; i < rows * Index{n}; ++i) to[i] -= from[i];
   }
-  return most;
-}
-
-// Rows that stay neighbours on their way to the parent.
-struct Run {
-  int from;
-  int to;
-  int length;
-};
-
-std::vector<Run> runs(const int* rows_in_parent, int size) {
-  std::vector<Run> all;
-  for (int i = 0; i < size; ++i) {
-    if (!all.empty() && rows_in_parent[i] == all.back().to + all.back().length) {
-      ++all.back().length;
-    } else {
-      all.push_back({i, rows_in_parent[i], 1});
-    }
-  }
-  return all;
-}
-
-void add(const double* from, Index size, double* to) {
-  for (Index i = 0; i < size; ++i) to[i] += from[i];
 }
 
 template <int n>
@@ -83,16 +49,21 @@ void put(const typename BlockMatrix<n>::Block& block, double* to, Index step) {
 }  // namespace
 
 template <int n>
-BlockCholesky<n>::BlockCholesky(const BlockPattern& pattern, const BlockMatrix<n>& matrix)
-    : pattern_(&pattern), children_(pattern.supernodes().size(), 0) {
-  std::size_t end = 0;
+BlockCholesky<n>::BlockCholesky(const BlockPattern& pattern,
+                                const std::vector<std::pair<int, int>>& pairs)
+    : pattern_(&pattern) {
+  std::size_t largest = 0;
+  int most_rows = 0;
   for (const Supernode& supernode : pattern.supernodes()) {
-    begin_.push_back(end);
-    end += panel_size<n>(supernode);
-    if (supernode.parent >= 0) ++children_[at(supernode.parent)];
+    begin_.push_back(size_);
+    size_ += panel_size<n>(supernode);
+    most_rows = std::max(most_rows, supernode.rows_below());
+    largest = std::max(largest, update_size<n>(supernode));
+    highest_ = std::max(highest_, panel_step<n>(supernode));
   }
-  values_.resize(end);
-  stack_.resize(stack_size<n>(pattern, children_));
+  runs_.resize(at(most_rows));
+  values_ = AlignedRoom(size_);
+  update_ = AlignedRoom(largest);
   const auto find = [&](int row, int column) {
     const int s = pattern.supernode_of()[at(column)];
     const Supernode& supernode = pattern.supernodes()[at(s)];
@@ -100,7 +71,7 @@ BlockCholesky<n>::BlockCholesky(const BlockPattern& pattern, const BlockMatrix<n
                               (column - supernode.first) * n * panel_step<n>(supernode));
   };
   for (const int place : pattern.place()) diagonal_.push_back(find(place, place));
-  for (const auto& [first, second] : matrix.pairs) {
+  for (const auto& [first, second] : pairs) {
     const int row = pattern.place()[at(first)];
     const int column = pattern.place()[at(second)];
     const Index place = static_cast<Index>(find(std::max(row, column), std::min(row, column)));
@@ -118,25 +89,62 @@ std::ptrdiff_t BlockCholesky<n>::leading_dimension(std::size_t supernode) const 
 template <int n>
 bool BlockCholesky<n>::factor(const BlockMatrix<n>& matrix, double damping) {
   copy(matrix, damping);
-  waiting_.clear();
+  const DenseKernels& kernels = dense_kernels();
   for (std::size_t s = 0; s < pattern_->supernodes().size(); ++s) {
     const Supernode& supernode = pattern_->supernodes()[s];
     const Index step = panel_step<n>(supernode);
     const Index columns = supernode.columns() * Index{n};
-    double* panel = values_.data() + begin_[s];
-    double* update = place_update(s);
-    if (!dense_kernels().factor_panel(panel, step, columns)) return false;
-    dense_kernels().subtract_square(update, update_step<n>(supernode),
-                                    supernode.rows_below() * Index{n}, panel + columns, step,
-                                    columns);
+    double* panel = values_.get() + begin_[s];
+    if (!kernels.factor_panel(panel, step, columns)) return false;
+    if (supernode.rows_below() == 0) continue;
+    kernels.square(update_.get(), update_step<n>(supernode), supernode.rows_below() * Index{n},
+                   panel + columns, step, columns);
+    hand_out(s);
   }
   find_smallest_pivot(matrix, damping);
   return true;
 }
 
+// How many runs of rows there are that stay neighbours.
+template <int n>
+std::size_t BlockCholesky<n>::find_runs(const int* rows, int size) {
+  std::size_t count = 0;
+  for (int row = 0; row < size; ++row) {
+    if (row > 0 && rows[row] == rows[row - 1] + 1) {
+      ++runs_[count - 1].last;
+    } else {
+      runs_[count++] = {row, row + 1};
+    }
+  }
+  return count;
+}
+
+template <int n>
+void BlockCholesky<n>::hand_out(std::size_t supernode) {
+  const Supernode& lower = pattern_->supernodes()[supernode];
+  const Index from_step = update_step<n>(lower);
+  const std::size_t end = pattern_->shares_begin()[supernode + 1];
+  for (std::size_t i = pattern_->shares_begin()[supernode]; i < end; ++i) {
+    const BlockPattern::Share& share = pattern_->shares()[i];
+    const int* rows = pattern_->rows_above().data() + share.rows;
+    const std::size_t runs = find_runs(rows, lower.rows_below() - share.begin);
+    const Index step = panel_step<n>(pattern_->supernodes()[at(share.supernode)]);
+    double* panel = values_.get() + begin_[at(share.supernode)];
+    for (int column = 0; column < share.end - share.begin; ++column) {
+      const double* from = update_.get() + (share.begin + column) * n * from_step + share.begin * n;
+      double* to = panel + rows[column] * n * step;
+      for (std::size_t run = 0; run < runs; ++run) {
+        const int row = std::max(runs_[run].first, column);
+        if (row >= runs_[run].last) continue;
+        subtract<n>(from + row * n, from_step, runs_[run].last - row, to + rows[row] * n, step);
+      }
+    }
+  }
+}
+
 template <int n>
 void BlockCholesky<n>::copy(const BlockMatrix<n>& matrix, double damping) {
-  std::fill(values_.begin(), values_.end(), 0.0);
+  std::fill_n(values_.get(), size_, 0.0);
   double largest = 0.0;
   for (const auto& block : matrix.diagonal) {
     largest = std::max(largest, block.diagonal().maxCoeff());
@@ -146,61 +154,13 @@ void BlockCholesky<n>::copy(const BlockMatrix<n>& matrix, double damping) {
     const Index step = panel_step<n>(pattern_->supernodes()[at(s)]);
     typename BlockMatrix<n>::Block block = matrix.diagonal[node];
     block.diagonal() += damping * block.diagonal().cwiseMax(1e-9 * largest);
-    put<n>(block, &values_[diagonal_[node]], step);
+    put<n>(block, values_.get() + diagonal_[node], step);
   }
   for (std::size_t pair = 0; pair < beside_.size(); ++pair) {
     if (beside_[pair] >= 0) {
-      put<n>(matrix.beside[pair], &values_[at(beside_[pair])], step_[pair]);
+      put<n>(matrix.beside[pair], values_.get() + beside_[pair], step_[pair]);
     } else {
-      put<n>(matrix.beside[pair].transpose(), &values_[at(~beside_[pair])], step_[pair]);
-    }
-  }
-}
-
-// Room for the update that a supernode will make, with those of its children taken over. It is
-// made above theirs and then moved down in their place.
-template <int n>
-double* BlockCholesky<n>::place_update(std::size_t supernode) {
-  const std::size_t size = update_size<n>(pattern_->supernodes()[supernode]);
-  const std::size_t top =
-      waiting_.empty() ? 0
-                       : waiting_.back().begin +
-                             update_size<n>(pattern_->supernodes()[waiting_.back().supernode]);
-  double* update = stack_.data() + top;
-  std::fill(update, update + size, 0.0);
-  std::size_t begin = top;
-  for (int child = 0; child < children_[supernode]; ++child) {
-    take_over(waiting_.back(), supernode, update);
-    begin = waiting_.back().begin;
-    waiting_.pop_back();
-  }
-  if (begin != top) std::memmove(stack_.data() + begin, update, size * sizeof(double));
-  waiting_.push_back({supernode, begin});
-  return stack_.data() + begin;
-}
-
-template <int n>
-void BlockCholesky<n>::take_over(const Update& child, std::size_t supernode, double* update) {
-  const Supernode& lower = pattern_->supernodes()[child.supernode];
-  const Supernode& upper = pattern_->supernodes()[supernode];
-  const std::vector<Run> moves =
-      runs(pattern_->rows_in_parent().data() + lower.below, lower.rows_below());
-  const double* from = stack_.data() + child.begin;
-  const Index from_step = update_step<n>(lower);
-  for (auto run = moves.begin(); run != moves.end(); ++run) {
-    for (int i = 0; i < run->length; ++i) {
-      const int column = run->to + i;
-      const bool own = column < upper.columns();
-      const Index step = own ? panel_step<n>(upper) : update_step<n>(upper);
-      const Index shift = own ? 0 : upper.columns();
-      double* to = own ? values_.data() + begin_[supernode] : update;
-      to += (column - shift) * n * step - shift * n;
-      for (int j = 0; j < n; ++j, from += from_step, to += step) {
-        add(from + (run->from + i) * n, (run->length - i) * Index{n}, to + column * Index{n});
-        for (auto next = run + 1; next != moves.end(); ++next) {
-          add(from + next->from * n, next->length * Index{n}, to + next->to * Index{n});
-        }
-      }
+      put<n>(matrix.beside[pair].transpose(), values_.get() + ~beside_[pair], step_[pair]);
     }
   }
 }
@@ -212,21 +172,22 @@ void BlockCholesky<n>::find_smallest_pivot(const BlockMatrix<n>& matrix, double 
     const int s = pattern_->supernode_of()[at(pattern_->place()[node])];
     const Index step = panel_step<n>(pattern_->supernodes()[at(s)]);
     for (int i = 0; i < n; ++i) {
-      const double root = values_[diagonal_[node] + at(i * (step + 1))];
+      const double inverse = values_.get()[diagonal_[node] + at(i * (step + 1))];
       const double before = matrix.diagonal[node](i, i) * (1.0 + damping);
-      smallest_pivot_ = std::min(smallest_pivot_, root * root / before);
+      smallest_pivot_ = std::min(smallest_pivot_, 1.0 / (inverse * inverse * before));
     }
   }
 }
 
 template <int n>
-void BlockCholesky<n>::solve(Eigen::VectorXd& x) const {
+void BlockCholesky<n>::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   Eigen::VectorXd ordered(x.size());
   for (std::size_t node = 0; node < diagonal_.size(); ++node) {
     ordered.segment<n>(pattern_->place()[node] * Index{n}) =
         x.segment<n>(static_cast<Index>(node) * n);
   }
-  Eigen::VectorXd dense;
+  const AlignedRoom room(at(highest_));
+  double* dense = room.get();
   for (std::size_t s = 0; s < begin_.size(); ++s) solve_forward(s, dense, ordered);
   for (std::size_t s = begin_.size(); s-- > 0;) solve_backward(s, dense, ordered);
   for (std::size_t node = 0; node < diagonal_.size(); ++node) {
@@ -236,39 +197,40 @@ void BlockCholesky<n>::solve(Eigen::VectorXd& x) const {
 }
 
 template <int n>
-void BlockCholesky<n>::solve_forward(std::size_t s, Eigen::VectorXd& dense,
-                                     Eigen::VectorXd& x) const {
+void BlockCholesky<n>::solve_forward(std::size_t s, double* dense, Eigen::VectorXd& x) const {
   const Supernode& supernode = pattern_->supernodes()[s];
   const Index columns = supernode.columns() * Index{n};
   const Index step = panel_step<n>(supernode);
   const int* below = pattern_->rows().data() + supernode.below;
-  dense.setZero(step);
-  dense.head(columns) = x.segment(supernode.first * Index{n}, columns);
-  dense_kernels().solve_forward(panel(s), step, columns, dense.data());
-  x.segment(supernode.first * Index{n}, columns) = dense.head(columns);
+  double* own = x.data() + supernode.first * Index{n};
+  std::copy_n(own, columns, dense);
+  std::fill_n(dense + columns, step - columns, 0.0);
+  dense_kernels().solve_forward(panel(s), step, columns, dense);
+  std::copy_n(dense, columns, own);
   for (int i = 0; i < supernode.rows_below(); ++i) {
-    x.segment<n>(below[i] * Index{n}) += dense.segment<n>(columns + i * n);
+    double* to = x.data() + below[i] * Index{n};
+    for (int j = 0; j < n; ++j) to[j] += dense[columns + i * n + j];
   }
 }
 
 template <int n>
-void BlockCholesky<n>::solve_backward(std::size_t s, Eigen::VectorXd& dense,
-                                      Eigen::VectorXd& x) const {
+void BlockCholesky<n>::solve_backward(std::size_t s, double* dense, Eigen::VectorXd& x) const {
   const Supernode& supernode = pattern_->supernodes()[s];
   const Index columns = supernode.columns() * Index{n};
   const Index step = panel_step<n>(supernode);
+  const Index height = supernode.height * Index{n};
   const int* below = pattern_->rows().data() + supernode.below;
-  dense.setZero(step);
-  dense.head(columns) = x.segment(supernode.first * Index{n}, columns);
+  double* own = x.data() + supernode.first * Index{n};
+  std::copy_n(own, columns, dense);
   for (int i = 0; i < supernode.rows_below(); ++i) {
-    dense.segment<n>(columns + i * n) = x.segment<n>(below[i] * Index{n});
+    std::copy_n(x.data() + below[i] * Index{n}, n, dense + columns + i * n);
   }
-  dense_kernels().solve_backward(panel(s), step, columns, dense.data());
-  x.segment(supernode.first * Index{n}, columns) = dense.head(columns);
+  std::fill_n(dense + height, step - height, 0.0);
+  dense_kernels().solve_backward(panel(s), step, columns, dense);
+  std::copy_n(dense, columns, own);
 }
 
 template class BlockCholesky<1>;
-template class BlockCholesky<2>;
 template class BlockCholesky<3>;
 template class BlockCholesky<6>;
 

@@ -162,7 +162,7 @@ BlockPattern::BlockPattern(const Neighbours& graph) : place_(minimum_degree(grap
   const Neighbours ordered = graph.renamed(place_);
   supernodes_ = Amalgamation(parent, column_heights(ordered, parent)).supernodes();
   find_rows(ordered);
-  find_rows_in_parents();
+  find_shares();
   count_work();
 }
 
@@ -200,21 +200,26 @@ void BlockPattern::find_rows(const Neighbours& graph) {
   }
 }
 
-void BlockPattern::find_rows_in_parents() {
-  rows_in_parent_.resize(rows_.size());
+void BlockPattern::find_shares() {
+  shares_begin_.push_back(0);
   for (const Supernode& supernode : supernodes_) {
-    if (supernode.parent < 0) continue;
-    const Supernode& parent = supernodes_[at(supernode.parent)];
-    std::size_t above = parent.below;
-    const std::size_t end = supernode.below + at(supernode.rows_below());
-    for (std::size_t i = supernode.below; i < end; ++i) {
-      if (rows_[i] < parent.last) {
-        rows_in_parent_[i] = rows_[i] - parent.first;
-        continue;
+    const int* below = rows_.data() + supernode.below;
+    for (int begin = 0, end = 0; begin < supernode.rows_below(); begin = end) {
+      const int s = supernode_of_[at(below[begin])];
+      const Supernode& upper = supernodes_[at(s)];
+      shares_.push_back({s, begin, 0, rows_above_.size()});
+      for (; end < supernode.rows_below() && below[end] < upper.last; ++end) {
+        rows_above_.push_back(below[end] - upper.first);
       }
-      while (rows_[above] != rows_[i]) ++above;
-      rows_in_parent_[i] = parent.columns() + static_cast<int>(above - parent.below);
+      shares_.back().end = end;
+      const int* first = rows_.data() + upper.below;
+      const int* row = first;
+      for (int i = end; i < supernode.rows_below(); ++i) {
+        while (*row != below[i]) ++row;
+        rows_above_.push_back(upper.columns() + static_cast<int>(row - first));
+      }
     }
+    shares_begin_.push_back(shares_.size());
   }
 }
 

@@ -24,6 +24,15 @@ class BlockPattern {
     int rows_below() const { return height - columns(); }
   };
 
+  /// What of a supernode's rows below are columns of one above it: from row `begin` to before
+  /// `end`, counted from the first one below.
+  struct Share {
+    int supernode;
+    int begin;
+    int end;
+    std::size_t rows;  ///< where in `rows_above()` those from `begin` to the last one are
+  };
+
   /// Of a matrix with entries on its diagonal and where nodes are neighbours.
   explicit BlockPattern(const Neighbours& graph);
 
@@ -36,8 +45,11 @@ class BlockPattern {
   const std::vector<int>& supernode_of() const { return supernode_of_; }
   /// Rows below the supernodes' own columns.
   const std::vector<int>& rows() const { return rows_; }
-  /// For each of `rows()`, which row of the parent it is.
-  const std::vector<int>& rows_in_parent() const { return rows_in_parent_; }
+  /// By supernode, and one more, where in `shares()` its own begin.
+  const std::vector<std::size_t>& shares_begin() const { return shares_begin_; }
+  const std::vector<Share>& shares() const { return shares_; }
+  /// The rows below of shares, as rows of the supernodes that they go to.
+  const std::vector<int>& rows_above() const { return rows_above_; }
   /// Which row of its supernode a place is. It must be one.
   int row_in(const Supernode& supernode, int place) const;
   /// How many products of blocks it takes to factor.
@@ -47,14 +59,16 @@ class BlockPattern {
 
  private:
   void find_rows(const Neighbours& graph);
-  void find_rows_in_parents();
+  void find_shares();
   void count_work();
 
   std::vector<int> place_;
   std::vector<Supernode> supernodes_;
   std::vector<int> supernode_of_;
   std::vector<int> rows_;
-  std::vector<int> rows_in_parent_;
+  std::vector<std::size_t> shares_begin_;
+  std::vector<Share> shares_;
+  std::vector<int> rows_above_;
   double work_ = 0.0;
   double entries_ = 0.0;
 };

@@ -10,31 +10,29 @@
 
 namespace portolan::dense {
 
-// Cholesky factor of a small block; what stands on its diagonal is inverted into `inverse`.
+// Cholesky factor of a small block, with the inverses of what stands on its diagonal instead.
 template <int n>
-PORTOLAN_INLINE bool factor_corner(double (&l)[n][n], double (&inverse)[n]) {
+PORTOLAN_INLINE bool factor_corner(double (&l)[n][n]) {
   for (int j = 0; j < n; ++j) {
     for (int k = 0; k < j; ++k) {
       for (int i = j; i < n; ++i) l[j][i] -= l[k][i] * l[k][j];
     }
     if (!(l[j][j] > 0.0)) return false;
-    l[j][j] = std::sqrt(l[j][j]);
-    inverse[j] = 1.0 / l[j][j];
-    for (int i = j + 1; i < n; ++i) l[j][i] *= inverse[j];
+    l[j][j] = 1.0 / std::sqrt(l[j][j]);
+    for (int i = j + 1; i < n; ++i) l[j][i] *= l[j][j];
   }
   return true;
 }
 
 // Rows of A = A L^-T.
 template <class Vector, int n>
-PORTOLAN_INLINE void divide_rows(double* a, Index ld, Index rows, const double (&l)[n][n],
-                                 const double (&inverse)[n]) {
+PORTOLAN_INLINE void divide_rows(double* a, Index ld, Index rows, const double (&l)[n][n]) {
   for (Index i = 0; i < rows; i += kWidth<Vector>) {
     Vector x[n];
     for (int j = 0; j < n; ++j) load(x[j], a + i + j * ld);
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < j; ++k) x[j] -= x[k] * l[k][j];
-      x[j] *= inverse[j];
+      x[j] *= l[j][j];
     }
     for (int j = 0; j < n; ++j) store(x[j], a + i + j * ld);
   }
@@ -46,11 +44,10 @@ template <class Vector, int n>
 PORTOLAN_INLINE bool factor_columns(double* a, Index ld, Index first) {
   double* corner = a + first + first * ld;
   double l[n][n];
-  double inverse[n];
   for (int j = 0; j < n; ++j) std::memcpy(l[j], corner + j * ld, sizeof l[j]);
-  if (!factor_corner<n>(l, inverse)) return false;
+  if (!factor_corner<n>(l)) return false;
   const Index top = (first + n) / kWidth<Vector> * kWidth<Vector>;
-  divide_rows<Vector, n>(a + top + first * ld, ld, ld - top, l, inverse);
+  divide_rows<Vector, n>(a + top + first * ld, ld, ld - top, l);
   for (int j = 0; j < n; ++j) {
     std::memcpy(corner + j + j * ld, &l[j][j], static_cast<std::size_t>(n - j) * sizeof(double));
   }
@@ -83,10 +80,12 @@ PORTOLAN_INLINE bool factor_panel(double* a, Index ld, Index columns) {
     for (Index j = first; j < last; j += kColumns) {
       const Index few = std::min(kColumns, last - j);
       const double* before = a + first * ld;
-      if (j > first) subtract_trapezoid<Vector>(a, ld, j, j + few, ld, before, ld, j - first);
+      if (j > first)
+        multiply_trapezoid<Use::subtract, Vector>(a, ld, j, j + few, ld, before, ld, j - first);
       if (!factor_some<Vector>(few, a, ld, j)) return false;
     }
-    subtract_trapezoid<Vector>(a, ld, last, columns, ld, a + first * ld, ld, last - first);
+    multiply_trapezoid<Use::subtract, Vector>(a, ld, last, columns, ld, a + first * ld, ld,
+                                              last - first);
   }
   return true;
 }

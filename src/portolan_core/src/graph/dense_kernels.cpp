@@ -15,7 +15,7 @@ struct Portable {
     return dense::factor_panel<dense::Pair>(a, ld, columns);
   }
   static void square(double* c, Index ldc, Index n, const double* a, Index lda, Index depth) {
-    dense::subtract_square<dense::Pair>(c, ldc, n, a, lda, depth);
+    dense::square<dense::Pair>(c, ldc, n, a, lda, depth);
   }
   static void forward(const double* l, Index ld, Index columns, double* x) {
     dense::solve_forward<dense::Pair>(l, ld, columns, x);
@@ -33,7 +33,7 @@ struct Avx2 {
   }
   __attribute__((target("avx2,fma"))) static void square(double* c, Index ldc, Index n,
                                                          const double* a, Index lda, Index depth) {
-    dense::subtract_square<dense::Quad>(c, ldc, n, a, lda, depth);
+    dense::square<dense::Quad>(c, ldc, n, a, lda, depth);
   }
   __attribute__((target("avx2,fma"))) static void forward(const double* l, Index ld, Index columns,
                                                           double* x) {
@@ -54,7 +54,7 @@ struct Avx512 {
   }
   __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"))) static void square(
       double* c, Index ldc, Index n, const double* a, Index lda, Index depth) {
-    dense::subtract_square<dense::Octet>(c, ldc, n, a, lda, depth);
+    dense::square<dense::Octet>(c, ldc, n, a, lda, depth);
   }
   __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"))) static void forward(const double* l,
                                                                                     Index ld,

@@ -16,13 +16,15 @@ struct DenseKernels {
   }
 
   /// Turns the lower trapezoid of the first `columns` columns, `ld` rows each, into those of a
-  /// Cholesky factor. False where it is not positive definite.
+  /// Cholesky factor, with the inverses of what stands on its diagonal instead. False where it is
+  /// not positive definite.
   bool (*factor_panel)(double* a, std::ptrdiff_t ld, std::ptrdiff_t columns);
-  /// Lower triangle of C (n x n) -= A A^T, where A has `depth` columns.
-  void (*subtract_square)(double* c, std::ptrdiff_t ldc, std::ptrdiff_t n, const double* a,
-                          std::ptrdiff_t lda, std::ptrdiff_t depth);
-  /// x = L^-1 x for the upper `columns` rows, then x -= L x for those below, `ld` in all. Rows of
-  /// padding must be finite in x and zero in L, which they are if they were before it was factored.
+  /// Lower triangle of C (n x n) = A A^T, where A has `depth` columns.
+  void (*square)(double* c, std::ptrdiff_t ldc, std::ptrdiff_t n, const double* a,
+                 std::ptrdiff_t lda, std::ptrdiff_t depth);
+  /// x = L^-1 x, of such a factor, for the upper `columns` rows, then x -= L x for those below,
+  /// `ld` in all. Rows of padding must be finite in x and zero in L, which they are if they were
+  /// before it was factored.
   void (*solve_forward)(const double* l, std::ptrdiff_t ld, std::ptrdiff_t columns, double* x);
   /// x -= L^T x of the rows below the upper `columns`, then x = L^-T x for these.
   void (*solve_backward)(const double* l, std::ptrdiff_t ld, std::ptrdiff_t columns, double* x);

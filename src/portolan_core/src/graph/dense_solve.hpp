@@ -13,6 +13,17 @@ constexpr Index aligned_row(Index row, Index rows) {
   return std::min((row + kWidth<Vector> - 1) / kWidth<Vector> * kWidth<Vector>, rows);
 }
 
+// Of the entries of a vector, in pairs first.
+template <class Vector>
+PORTOLAN_INLINE double total(const Vector& v) {
+  constexpr Index kHalf = kWidth<Vector> / 2;
+  double sum[kHalf];
+  for (Index k = 0; k < kHalf; ++k) sum[k] = v[k] + v[k + kHalf];
+  double all = sum[0];
+  for (Index k = 1; k < kHalf; ++k) all += sum[k];
+  return all;
+}
+
 // x = L^-1 x for n columns, whose diagonal is at the top of l and x, and x -= L x below.
 template <class Vector, int n>
 PORTOLAN_INLINE void forward_columns(const double* l, Index ld, Index first, Index rows,
@@ -21,7 +32,7 @@ PORTOLAN_INLINE void forward_columns(const double* l, Index ld, Index first, Ind
   for (int j = 0; j < n; ++j) {
     double sum = x[first + j];
     for (int k = 0; k < j; ++k) sum -= l[first + j + k * ld] * solved[k];
-    solved[j] = sum / l[first + j + j * ld];
+    solved[j] = sum * l[first + j + j * ld];
   }
   std::memcpy(x + first, solved, sizeof solved);
   Index i = first + n;
@@ -61,9 +72,9 @@ PORTOLAN_INLINE void backward_columns(const double* l, Index ld, Index first, In
     }
   }
   for (int j = n - 1; j >= 0; --j) {
-    for (Index k = 0; k < kWidth<Vector>; ++k) sum[j] -= sums[j][k];
+    sum[j] -= total(sums[j]);
     for (int k = j + 1; k < n; ++k) sum[j] -= l[first + k + j * ld] * sum[k];
-    sum[j] /= l[first + j + j * ld];
+    sum[j] *= l[first + j + j * ld];
   }
   std::memcpy(x + first, sum, sizeof sum);
 }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph/winding.hpp"
-
 namespace portolan {
 
 namespace {
@@ -20,20 +18,6 @@ bool is_turned_beyond(double angle, const Problem<Motion>& problem,
   return std::any_of(problem.terms.begin(), problem.terms.end(), [&](const auto& term) {
     return Motion::angle_left(states[term.from], states[term.to], term.measured) > angle;
   });
-}
-
-template <>
-bool is_wound_up<PlanarMotion>(const Problem<PlanarMotion>& problem, const SpanningTree& tree,
-                               const std::vector<PlanarMotion::State>& states) {
-  if (is_turned_beyond(M_PI_2, problem, states)) return true;
-  const std::vector<double> left = turns_round_loops(problem, tree, states);
-  return std::any_of(left.begin(), left.end(), [](double turn) { return std::abs(turn) > M_PI; });
-}
-
-template <>
-bool is_wound_up<SpatialMotion>(const Problem<SpatialMotion>& problem, const SpanningTree&,
-                                const std::vector<SpatialMotion::State>& states) {
-  return is_turned_beyond(M_PI_2, problem, states);
 }
 
 bool is_poor_fit(double chi2, std::size_t degrees_of_freedom, double factor) {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "graph/problem.hpp"
-#include "portolan/graph/spanning_tree.hpp"
 
 namespace portolan {
 
@@ -12,13 +11,6 @@ namespace portolan {
 template <class Motion>
 bool is_turned_beyond(double angle, const Problem<Motion>& problem,
                       const std::vector<typename Motion::State>& states);
-
-/// True where coordinates look like a wrong minimum whatever the weights of the arcs: the turns
-/// that are left over round a loop add up to a whole turn instead of nothing, or an arc is turned
-/// by more than a right angle.
-template <class Motion>
-bool is_wound_up(const Problem<Motion>& problem, const SpanningTree& tree,
-                 const std::vector<typename Motion::State>& states);
 
 /// True where chi^2 is much larger than measurement noise explains.
 bool is_poor_fit(double chi2, std::size_t degrees_of_freedom, double factor);

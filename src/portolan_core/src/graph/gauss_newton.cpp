@@ -19,6 +19,7 @@ constexpr double kFastest = 1e-3;  // that what is left to win is expected to sh
 constexpr double kFast = 2e-4;
 constexpr double kLittle = 1e-6;
 constexpr double kTurnedTheSame = 0.995;  // cosine, of about 0.1 rad
+constexpr int kStepsToNear = 2;           // full ones, after which the minimum is near
 constexpr double kNoCost = 1e-18;         // per arc: rounding
 
 }  // namespace
@@ -38,6 +39,8 @@ typename GaussNewton<Motion>::Descent GaussNewton<Motion>::descend(States& state
   Descent descent;
   damping_ = 0.0;
   last_promise_ = 0.0;
+  full_steps_ = 0;
+  may_overshoot_ = true;
   descent.cost = cost(problem_, states, kernel);
   while (!descent.converged && descent.iterations < limits.max_iterations) {
     descent.known = leads_to_known(limits, states, descent.cost);
@@ -59,6 +62,10 @@ template <class Motion>
 bool GaussNewton<Motion>::improve(States& states, const Kernel& kernel, const Limits& limits,
                                   Descent& descent) {
   ++descent.iterations;
+  const auto enough = [&] {
+    return limits.tolerance * descent.cost + kNoCost * static_cast<double>(problem_.terms.size());
+  };
+  if (is_near(descent) && improve_with_kept_factor(states, kernel, enough(), descent)) return true;
   equations_.linearize(problem_, states, kernel);
   while (damping_ <= kMostDamping) {
     if (!solve(descent)) {
@@ -67,28 +74,52 @@ bool GaussNewton<Motion>::improve(States& states, const Kernel& kernel, const Li
     }
     // What the step promises, g^T H^-1 g, is all that is left to win near the minimum.
     const double promise = this->promise();
-    const double rounding = kNoCost * static_cast<double>(problem_.terms.size());
     const bool undamped = damping_ == 0.0 || descent.smallest_pivot == 0.0;
-    const double enough = limits.tolerance * descent.cost + rounding;
-    descent.converged = undamped && left_after(promise, descent) <= enough;
-    const double before = descent.cost;
-    if (const double share = step(states, kernel, descent); share > 0.0) {
-      // With a factor from before, a step leaves no more than it won less, or more, than promised.
-      if (is_kept_) descent.converged = std::abs(promise - (before - descent.cost)) <= enough;
-      descent.converged = descent.converged && (share == 1.0 || promise <= enough);
-      damping_ = damping_ > kLeastDamping ? 0.1 * damping_ : 0.0;
-      if (damping_ < kLeastDamping) damping_ = 0.0;
-      return true;
-    }
-    descent.converged = undamped && promise <= enough;
-    if (descent.converged) return true;
-    if (is_kept_) {
-      last_promise_ = 0.0;  // once more with a factor of its own
-    } else {
+    const bool is_last = undamped && left_after(promise, descent) <= enough();
+    const bool is_small = undamped && promise <= enough();
+    if (moves(1.0, states, kernel, descent)) {
+      descent.converged = is_last;
+    } else if (!overshoots(states, kernel, descent) && !moves_some(states, kernel, descent)) {
+      descent.converged = is_small;
+      if (descent.converged) return true;
       damp();
+      continue;
+    } else {
+      descent.converged = is_small;
+      full_steps_ = 0;
     }
+    damping_ = damping_ > kLeastDamping ? 0.1 * damping_ : 0.0;
+    if (damping_ < kLeastDamping) damping_ = 0.0;
+    return true;
   }
   return false;
+}
+
+// Whether the factor of the last step may be good enough for the next one.
+template <class Motion>
+bool GaussNewton<Motion>::is_near(const Descent& descent) const {
+  if (damping_ > 0.0 || last_promise_ <= 0.0) return false;
+  return full_steps_ >= kStepsToNear || last_promise_ <= kNear * descent.cost;
+}
+
+// A step that needs no more than the gradient: near the minimum the factor hardly changes.
+template <class Motion>
+bool GaussNewton<Motion>::improve_with_kept_factor(States& states, const Kernel& kernel,
+                                                   double enough, Descent& descent) {
+  equations_.add_up_gradient(problem_, states, kernel);
+  if (!solve_with_factor()) return false;
+  const double promise = this->promise();
+  if (promise > std::max(kFast * last_promise_, kLittle * descent.cost)) return false;
+  const double before = descent.cost;
+  if (moves(1.0, states, kernel, descent)) {
+    // It leaves no more than it won less, or more, than it promised.
+    descent.converged = std::abs(promise - (before - descent.cost)) <= enough;
+    last_promise_ = promise;
+    return true;
+  }
+  descent.converged = promise <= enough;
+  last_promise_ = 0.0;
+  return descent.converged;
 }
 
 template <class Motion>
@@ -106,12 +137,8 @@ double GaussNewton<Motion>::left_after(double promise, const Descent& descent) {
   return promise * std::clamp(share, kFastest, 1.0);
 }
 
-// With the last factor where that will do: near the minimum it hardly changes.
 template <class Motion>
 bool GaussNewton<Motion>::solve(Descent& descent) {
-  is_kept_ = damping_ == 0.0 && last_promise_ > 0.0 && solve_with_factor() &&
-             promise() <= std::max(kFast * last_promise_, kLittle * descent.cost);
-  if (is_kept_) return true;
   ++descent.factorizations;
   if (!cholesky_.factor(equations_.H, damping_)) {
     descent.smallest_pivot = 0.0;
@@ -128,18 +155,51 @@ bool GaussNewton<Motion>::solve_with_factor() {
   return step_.allFinite();
 }
 
-// Which share of the step improved the cost; 0 if none did.
+// Moves by a share of the step if that improves the cost.
 template <class Motion>
-double GaussNewton<Motion>::step(States& states, const Kernel& kernel, Descent& descent) {
-  for (double share = 1.0; share >= kShortestStep; share *= 0.5) {
-    move(states, share, tried_);
-    const double tried = cost(problem_, tried_, kernel);
-    if (!(tried < descent.cost)) continue;
-    descent.cost = tried;
-    states.swap(tried_);
-    return share;
+bool GaussNewton<Motion>::moves(double share, States& states, const Kernel& kernel,
+                                Descent& descent) {
+  move(states, share, tried_);
+  const double tried = cost(problem_, tried_, kernel);
+  if (!(tried < descent.cost)) return false;
+  descent.cost = tried;
+  states.swap(tried_);
+  if (share == 1.0) ++full_steps_;
+  return true;
+}
+
+template <class Motion>
+bool GaussNewton<Motion>::moves_some(States& states, const Kernel& kernel, Descent& descent) {
+  for (double share = 0.5; share >= kShortestStep; share *= 0.5) {
+    if (moves(share, states, kernel, descent)) return true;
   }
-  return 0.0;
+  return false;
+}
+
+// A step along a narrow valley that bends ends up its side, and the next one at its bottom again,
+// far ahead: so that both together are tried, as long as that helps.
+template <class Motion>
+bool GaussNewton<Motion>::overshoots(States& states, const Kernel& kernel, Descent& descent) {
+  if (damping_ > 0.0 || !may_overshoot_) return false;
+  const Eigen::VectorXd first = step_;
+  States beyond = tried_;
+  equations_.linearize(problem_, beyond, kernel);
+  may_overshoot_ = solve(descent);
+  if (may_overshoot_) {
+    move(beyond, 1.0, tried_);
+    const double tried = cost(problem_, tried_, kernel);
+    may_overshoot_ = tried < descent.cost;
+    if (may_overshoot_) {
+      descent.cost = tried;
+      states.swap(tried_);
+      last_promise_ = 0.0;
+      ++descent.iterations;
+      return true;
+    }
+  }
+  step_ = first;
+  equations_.linearize(problem_, states, kernel);
+  return false;
 }
 
 template <class Motion>

@@ -9,8 +9,7 @@
 
 #include "graph/doubts.hpp"
 #include "graph/gauss_newton.hpp"
-#include "graph/rotation_start.hpp"
-#include "graph/turn_average.hpp"
+#include "graph/linear_start.hpp"
 #include "graph/winding.hpp"
 
 namespace portolan {
@@ -35,10 +34,13 @@ class Run {
         problem_(graph, tree_),
         given_(problem_.states(graph)),
         pattern_(Neighbours(static_cast<int>(problem_.pose.size()), problem_.pairs)),
+        loops_(problem_, tree_),
+        linear_(problem_, pattern_),
         solver_(problem_, pattern_) {
     kernel_.shape = options.kernel;
     kernel_.width2 = options.kernel_width * options.kernel_width;
-    report_.chi2_before = cost(problem_, given_, Kernel());
+    given_cost_ = cost(problem_, given_, kernel_);
+    report_.chi2_before = chi2(given_, given_cost_);
   }
 
   // From the best start and then, for a second opinion, from the next best: in `best` always, else
@@ -75,6 +77,7 @@ class Run {
     GraphStart start;
     States states;
     typename GaussNewton<Motion>::Descent descent;
+    std::vector<double> turns;  // round loops
   };
 
   // The one that was asked for first, then by increasing cost. Given poses can be anything, so
@@ -87,11 +90,12 @@ class Run {
     };
     States along = given_;
     for (const std::size_t pose : tree_.order) follow(pose, along);
-    if (auto states = rotation_start(problem_, pattern_, given_)) {
-      offer(GraphStart::rotations, std::move(*states));
+    States oriented = along;
+    if (linear_.orient(oriented) && linear_.put_in_place(oriented)) {
+      offer(GraphStart::rotations, std::move(oriented));
     }
     offer(GraphStart::spanning_tree, std::move(along));
-    offer(GraphStart::as_given, given_);
+    all.push_back({GraphStart::as_given, given_, given_cost_});
     const auto by_cost = [](const Start& a, const Start& b) { return a.cost < b.cost; };
     std::stable_sort(all.begin(), all.end() - 1, by_cost);
     const auto wanted = [&](const Start& start) { return start.kind == options_.start; };
@@ -114,17 +118,28 @@ class Run {
   // Whether turns alone lead to the same orientations from a start and from a minimum that leaves
   // no arc turned far off: positions would follow. If not, the start is where they lead. With a
   // kernel positions do not follow.
-  bool is_confirmed_by(States& start, const Result& best) const {
-    if (kernel_.shape != RobustKernel::none) return false;
+  bool is_confirmed_by(States& start, const Result& best) {
+    if (!is_plain()) return false;
     if (are_turned_alike(problem_, start, best.states)) return true;
     if (is_turned_beyond(kTurnedFar, problem_, best.states)) return false;
-    States known = best.states;
     States turned = start;
-    if (!average_turns(problem_, pattern_, known)) return false;
-    if (!average_turns(problem_, pattern_, turned)) return false;
-    if (are_turned_alike(problem_, turned, known)) return true;
-    if (put_in_place(problem_, pattern_, turned)) start = std::move(turned);
+    if (do_turns_lead_to(best, turned)) return true;
+    if (linear_.put_in_place(turned)) start = std::move(turned);
     return false;
+  }
+
+  // In the plane turns are linear as soon as it is known how loops are wound: those that are wound
+  // alike end alike.
+  bool do_turns_lead_to(const Result& best, States& turned) {
+    if constexpr (Motion::kTurns == 1) {
+      if (are_wound_alike(loops_.turns(turned), best.turns)) return true;
+      linear_.orient(turned);
+      return false;
+    } else {
+      States known = best.states;
+      return linear_.average_turns(known) && linear_.average_turns(turned) &&
+             are_turned_alike(problem_, turned, known);
+    }
   }
 
   // Winds loops the other way whose headings would not mind much, the likeliest first. What is
@@ -136,9 +151,9 @@ class Run {
       doubt(Doubt::wound_up, tried.size() == kMostWindings);
       if (tried.size() == kMostWindings) break;
       tried.insert(other->term);
-      auto states = rewound(problem_, pattern_, best.states, *other);
-      if (!states) continue;
-      Result result = descend({best.start, std::move(*states), 0.0}, &best);
+      States states = best.states;
+      if (!linear_.rewind(*other, states) || !linear_.put_in_place(states)) continue;
+      Result result = descend({best.start, std::move(states), 0.0}, &best);
       if (!differs(result, best) || best.descent.cost < result.descent.cost) continue;
       best = std::move(result);
       others = likely_windings(best);
@@ -150,7 +165,7 @@ class Run {
   std::vector<OtherWinding> likely_windings(const Result& best) const {
     const auto degrees = static_cast<double>(std::max<std::size_t>(degrees_of_freedom(), 1));
     const double price = kSigmas * kSigmas * best.descent.cost / degrees;
-    return other_windings(problem_, tree_, best.states, price);
+    return loops_.other_windings(best.states, best.turns, price);
   }
 
   static std::optional<OtherWinding> first_but(const std::set<std::size_t>& tried,
@@ -168,7 +183,7 @@ class Run {
 
   // Graduated kernels begin so convex that every arc counts, and end as they were asked for.
   Result descend(const Start& start, const Result* known) {
-    Result result{start.kind, start.states, {}};
+    Result result{start.kind, start.states, {}, {}};
     typename GaussNewton<Motion>::Limits limits{options_.max_iterations, options_.tolerance};
     if (kernel_.shape == RobustKernel::geman_mcclure) {
       Kernel kernel = kernel_;
@@ -180,12 +195,20 @@ class Run {
     if (known != nullptr) {
       limits.known_minimum = known->descent.cost;
       // With a kernel, positions do not follow from turns.
-      if (kernel_.shape == RobustKernel::none) limits.known = &known->states;
+      if (is_plain()) limits.known = &known->states;
     }
     result.descent = solver_.descend(result.states, kernel_, limits);
     report_.iterations += result.descent.iterations;
     report_.factorizations += result.descent.factorizations;
+    result.turns = loops_.turns(result.states);
     return result;
+  }
+
+  bool is_plain() const { return kernel_.shape == RobustKernel::none; }
+
+  // Of coordinates of which the cost is known.
+  double chi2(const States& states, double its_cost) const {
+    return is_plain() ? its_cost : cost(problem_, states, Kernel());
   }
 
   double largest_residual(const States& states) const {
@@ -211,7 +234,12 @@ class Run {
   bool looks_right(const Result& result) const {
     return result.descent.converged && result.descent.smallest_pivot > kSingular &&
            !is_poor_fit(result.descent.cost, degrees_of_freedom(), options_.poor_fit) &&
-           !is_wound_up(problem_, tree_, result.states);
+           !is_wound_up(result);
+  }
+
+  // Coordinates look like a wrong minimum whatever the weights of the arcs.
+  bool is_wound_up(const Result& result) const {
+    return portolan::is_wound_up(result.turns) || is_turned_beyond(M_PI_2, problem_, result.states);
   }
 
   void doubt(Doubt doubt, bool holds) {
@@ -221,21 +249,19 @@ class Run {
   void conclude(const Result& best, Graph& graph) {
     report_.start = best.start;
     report_.cost = best.descent.cost;
-    report_.chi2 = cost(problem_, best.states, Kernel());
+    report_.chi2 = chi2(best.states, best.descent.cost);
     report_.degrees_of_freedom = degrees_of_freedom();
     doubt(Doubt::not_converged, !best.descent.converged);
     doubt(Doubt::undetermined, best.descent.smallest_pivot < kSingular);
     doubt(Doubt::disconnected, disconnected());
+    doubt(Doubt::bad_information, problem_.has_bad_information);
     doubt(Doubt::poor_fit, is_poor_fit(best.descent.cost, degrees_of_freedom(), options_.poor_fit));
-    doubt(Doubt::wound_up, is_wound_up(problem_, tree_, best.states));
+    doubt(Doubt::wound_up, is_wound_up(best));
     report_.weights.assign(graph.arcs().size(), 0.0);
     for (std::size_t i = 0; i < problem_.terms.size(); ++i) {
       const auto& term = problem_.terms[i];
       report_.weights[problem_.arc[i]] =
-          term.may_fail ? kernel_.weight(chi2(term, best.states)) : 1.0;
-    }
-    for (const Arc& arc : graph.arcs()) {
-      doubt(Doubt::bad_information, arc.reason == ArcReason::bad_information);
+          term.may_fail && !is_plain() ? kernel_.weight(chi2(term, best.states)) : 1.0;
     }
     for (const std::size_t pose : problem_.pose) graph.move(pose, Motion::pose(best.states[pose]));
   }
@@ -254,8 +280,11 @@ class Run {
   Problem<Motion> problem_;
   States given_;
   BlockPattern pattern_;
+  Loops<Motion> loops_;
+  LinearStart<Motion> linear_;
   GaussNewton<Motion> solver_;
   Kernel kernel_;
+  double given_cost_ = 0.0;
   OptimizerReport report_;
 };
 

@@ -39,7 +39,7 @@ class Information {
         states_(problem_.states(graph)),
         pattern_(Neighbours(static_cast<int>(problem_.pose.size()), problem_.pairs)),
         equations_(problem_),
-        factor_(pattern_, equations_.H) {
+        factor_(pattern_, problem_.pairs) {
     equations_.linearize(problem_, states_, Kernel());
     if (!factor_.factor(equations_.H) || factor_.smallest_pivot() < kSingular) {
       throw std::runtime_error("arcs leave a pose undetermined");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/neighbours.hpp"
 
+#include <numeric>
+
 namespace portolan {
 
 namespace {
@@ -51,16 +53,22 @@ Neighbours::Neighbours(int size, const std::vector<std::pair<int, int>>& edges)
 }
 
 Neighbours Neighbours::renamed(const std::vector<int>& name) const {
-  std::vector<std::pair<int, int>> edges;
-  edges.reserve(all_.size() / 2);
-  for (int a = 0; a < size(); ++a) {
-    for (const int b : of(a)) {
-      if (a < b) {
-        edges.emplace_back(name[static_cast<std::size_t>(a)], name[static_cast<std::size_t>(b)]);
-      }
+  Neighbours graph;
+  graph.begin_.resize(begin_.size(), 0);
+  for (int node = 0; node < size(); ++node) {
+    const Range around = of(node);
+    graph.begin_[static_cast<std::size_t>(name[static_cast<std::size_t>(node)]) + 1] =
+        static_cast<int>(around.end() - around.begin());
+  }
+  std::partial_sum(graph.begin_.begin(), graph.begin_.end(), graph.begin_.begin());
+  graph.all_.resize(all_.size());
+  for (int node = 0; node < size(); ++node) {
+    int to = graph.begin_[static_cast<std::size_t>(name[static_cast<std::size_t>(node)])];
+    for (const int next : of(node)) {
+      graph.all_[static_cast<std::size_t>(to++)] = name[static_cast<std::size_t>(next)];
     }
   }
-  return Neighbours(size(), edges);
+  return graph;
 }
 
 }  // namespace portolan

@@ -7,7 +7,7 @@
 
 namespace portolan {
 
-/// The neighbours of each node of an undirected graph, by increasing number and each once.
+/// The neighbours of each node of an undirected graph, each once and always in the same order.
 class Neighbours {
  public:
   struct Range {
@@ -25,10 +25,12 @@ class Neighbours {
     const std::size_t i = static_cast<std::size_t>(node);
     return {all_.data() + begin_[i], all_.data() + begin_[i + 1]};
   }
-  /// The same graph where node i is called `name[i]`.
+  /// The same graph where node i is called `name[i]`, a permutation.
   Neighbours renamed(const std::vector<int>& name) const;
 
  private:
+  Neighbours() = default;
+
   std::vector<int> begin_;  // by node, into all_; one more at the end
   std::vector<int> all_;
 };

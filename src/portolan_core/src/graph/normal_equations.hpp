@@ -18,9 +18,12 @@ struct NormalEquations {
       : H(problem.pose.size(), problem.pairs),
         g(static_cast<Eigen::Index>(problem.pose.size()) * Motion::kSize) {}
 
-  /// Returns the cost.
-  double linearize(const Problem<Motion>& problem,
-                   const std::vector<typename Motion::State>& states, const Kernel& kernel);
+  void linearize(const Problem<Motion>& problem, const std::vector<typename Motion::State>& states,
+                 const Kernel& kernel);
+
+  /// g alone, which takes less.
+  void add_up_gradient(const Problem<Motion>& problem,
+                       const std::vector<typename Motion::State>& states, const Kernel& kernel);
 
   BlockMatrix<Motion::kSize> H;
   Eigen::VectorXd g;

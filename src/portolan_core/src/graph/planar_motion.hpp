@@ -11,9 +11,8 @@ namespace portolan {
 /// Poses that move in the plane: x, y and heading.
 struct PlanarMotion {
   static constexpr int kSize = 3;
-  static constexpr int kSpace = 2;        ///< coordinates of a position
-  static constexpr int kTurnColumns = 1;  ///< of a rotation matrix, that determine the others
-  static constexpr int kTurns = 1;        ///< axes of the map to turn about
+  static constexpr int kSpace = 2;  ///< coordinates of a position
+  static constexpr int kTurns = 1;  ///< axes of the map to turn about
   using Vector = Eigen::Vector3d;
   using Matrix = Eigen::Matrix3d;
   using Point = Eigen::Vector2d;
@@ -36,7 +35,10 @@ struct PlanarMotion {
 
   static State state(const Pose& pose);
   static Pose pose(const State& state) {
-    return planar_pose(state.t.x(), state.t.y(), state.heading);
+    Pose made = Pose::Identity();
+    made.matrix().topLeftCorner<2, 2>() = turn(state);
+    made.translation().head<2>() = state.t;
+    return made;
   }
   static Matrix information(const TangentMatrix& information);
   static State turned(const Point& t, double heading) {
@@ -44,11 +46,6 @@ struct PlanarMotion {
   }
 
   static Turn turn(const State& x) { return (Turn() << x.c, -x.s, x.s, x.c).finished(); }
-  /// The state with the rotation next to the transpose of a matrix, of which only the first
-  /// kTurnColumns columns are given.
-  static State with_turn(const State& x, const Eigen::Matrix<double, 2, 1>& transposed) {
-    return turned(x.t, std::atan2(-transposed[1], transposed[0]));
-  }
   /// How surely an arc knows about turns, and about positions: weights of one number each.
   static double turn_weight(const Matrix& information) { return information(2, 2); }
   static double point_weight(const Matrix& information) {
@@ -84,7 +81,11 @@ struct PlanarMotion {
 };
 
 inline PlanarMotion::State PlanarMotion::state(const Pose& pose) {
-  return turned(pose.translation().head<2>(), yaw(pose));
+  const double c = pose(0, 0);
+  const double s = pose(1, 0);
+  const double length = std::sqrt(c * c + s * s);
+  if (length == 0.0) return turned(pose.translation().head<2>(), 0.0);
+  return {pose.translation().head<2>(), yaw(pose), c / length, s / length};
 }
 
 inline PlanarMotion::Matrix PlanarMotion::information(const TangentMatrix& information) {

@@ -40,6 +40,7 @@ struct Problem {
   std::vector<Term> terms;
   std::vector<std::size_t> arc;  ///< by term
   std::vector<std::pair<int, int>> pairs;
+  bool has_bad_information = false;  ///< some arc was left out for it
 };
 
 }  // namespace portolan

@@ -41,8 +41,10 @@ class Takahashi {
     const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> panel(
         factor_.panel(s), columns + below, columns,
         Eigen::OuterStride<>(factor_.leading_dimension(s)));
-    const auto corner = panel.topRows(columns).template triangularView<Eigen::Lower>();
-    const Eigen::MatrixXd root = corner.solve(Eigen::MatrixXd::Identity(columns, columns));
+    Eigen::MatrixXd corner = panel.topRows(columns);
+    corner.diagonal() = corner.diagonal().cwiseInverse();
+    const Eigen::MatrixXd root = corner.template triangularView<Eigen::Lower>().solve(
+        Eigen::MatrixXd::Identity(columns, columns));
     const Eigen::MatrixXd G = panel.bottomRows(below) * root;
     parts_[s].below.noalias() = -(inverse_below(supernode) * G);
     parts_[s].own.noalias() = root.transpose() * root - G.transpose() * parts_[s].below;

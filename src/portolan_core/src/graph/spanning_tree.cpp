@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan/graph/spanning_tree.hpp"
 
-#include <Eigen/Cholesky>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <tuple>
@@ -25,22 +25,37 @@ struct Way {
   }
 };
 
-template <class Matrix>
-double trace_of_inverse(Matrix information) {
-  information.diagonal().array() += 1.0 / kUnknown;
-  const Eigen::LLT<Matrix> factor(information);
-  if (factor.info() != Eigen::Success) return kUnknown;
-  Matrix root = Matrix::Identity();  // of the inverse
-  factor.matrixL().solveInPlace(root);
-  return root.squaredNorm();
+// By the Cholesky factor L: the sum of the squares of L^-1, row by row.
+template <int n>
+double trace_of_inverse(Eigen::Matrix<double, n, n> L) {
+  Eigen::Matrix<double, n, n> root;  // L^-1
+  double trace = 0.0;
+  for (int i = 0; i < n; ++i) {
+    double pivot = L(i, i) + 1.0 / kUnknown;
+    for (int k = 0; k < i; ++k) {
+      for (int l = 0; l < k; ++l) L(i, k) -= L(i, l) * L(k, l);
+      L(i, k) *= root(k, k);
+      pivot -= L(i, k) * L(i, k);
+    }
+    if (!(pivot > 0.0)) return kUnknown;
+    root(i, i) = 1.0 / std::sqrt(pivot);
+    trace += root(i, i) * root(i, i);
+    for (int j = 0; j < i; ++j) {
+      double sum = 0.0;
+      for (int k = j; k < i; ++k) sum += L(i, k) * root(k, j);
+      root(i, j) = -sum * root(i, i);
+      trace += root(i, j) * root(i, j);
+    }
+  }
+  return trace;
 }
 
 double uncertainty(const Arc& arc, GraphSpace space) {
   const TangentMatrix& m = arc.information;
-  if (space == GraphSpace::spatial) return trace_of_inverse<TangentMatrix>(m);
+  if (space == GraphSpace::spatial) return trace_of_inverse<6>(m);
   Eigen::Matrix3d planar;
   planar << m.topLeftCorner<2, 2>(), m.block<2, 1>(0, 5), m.block<1, 2>(5, 0), m(5, 5);
-  return trace_of_inverse(planar);
+  return trace_of_inverse<3>(planar);
 }
 
 // Dijkstra's algorithm from several roots, one after the other.

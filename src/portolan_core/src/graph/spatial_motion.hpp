@@ -13,9 +13,8 @@ namespace portolan {
 /// Poses that move in space: x, y, z and a turn about each of them.
 struct SpatialMotion {
   static constexpr int kSize = 6;
-  static constexpr int kSpace = 3;        ///< coordinates of a position
-  static constexpr int kTurnColumns = 3;  ///< of a rotation matrix, that determine the others
-  static constexpr int kTurns = 3;        ///< axes of the map to turn about
+  static constexpr int kSpace = 3;  ///< coordinates of a position
+  static constexpr int kTurns = 3;  ///< axes of the map to turn about
   using Vector = Tangent;
   using Matrix = TangentMatrix;
   using Point = Eigen::Vector3d;

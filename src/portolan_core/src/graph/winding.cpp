@@ -6,20 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph/linear_least_squares.hpp"
-#include "graph/rotation_start.hpp"
-
 namespace portolan {
 
 namespace {
 
-using States = std::vector<PlanarMotion::State>;
 using Term = Problem<PlanarMotion>::Term;
+using States = std::vector<PlanarMotion::State>;
 
 constexpr double kUnknown = 1e12;  // variance of a turn of which an arc says nothing
+constexpr double kWholeTurn = 2.0 * M_PI;
 
 double turn_left(const Term& term, const States& states) {
-  return PlanarMotion::residual(states[term.from], states[term.to], term.measured)[2];
+  return PlanarMotion::turn_left(states[term.from], states[term.to], term.measured)[0];
 }
 
 // By pose: the term of the tree's arc that leads to it; `kNone` for roots.
@@ -75,98 +73,74 @@ std::size_t meeting(const SpanningTree& tree, const std::vector<std::size_t>& de
   return a;
 }
 
-// By term that closes a loop: the variance of the turns round it.
-std::vector<double> variances_round_loops(const Problem<PlanarMotion>& problem,
-                                          const SpanningTree& tree) {
-  const std::vector<std::size_t> term_to = terms_of_tree(problem, tree);
-  const std::vector<double> variance = added_up(
-      tree, problem, term_to, [](const Term& term, bool) { return variance_of_turn(term); });
-  std::vector<std::size_t> depth(tree.arc_to.size(), 0);
-  for (const std::size_t pose : tree.order) {
-    if (tree.parent[pose] != SpanningTree::kNone) depth[pose] = depth[tree.parent[pose]] + 1;
-  }
-  std::vector<double> round(problem.terms.size(), 0.0);
-  for (std::size_t i = 0; i < problem.terms.size(); ++i) {
-    const Term& term = problem.terms[i];
-    if (tree.component[term.from] != tree.component[term.to]) continue;
-    const std::size_t fork = meeting(tree, depth, term.from, term.to);
-    round[i] =
-        variance[term.from] + variance[term.to] - 2.0 * variance[fork] + variance_of_turn(term);
-  }
-  return round;
-}
+double whole_turns(double turn) { return std::round(turn / kWholeTurn); }
 
 }  // namespace
 
-std::vector<double> turns_round_loops(const Problem<PlanarMotion>& problem,
-                                      const SpanningTree& tree, const States& states) {
-  const std::vector<std::size_t> term_to = terms_of_tree(problem, tree);
-  const std::vector<double> sum =
-      added_up(tree, problem, term_to, [&](const Term& term, bool forward) {
-        return forward ? turn_left(term, states) : -turn_left(term, states);
-      });
-  std::vector<double> round(problem.terms.size(), 0.0);
+Loops<PlanarMotion>::Loops(const Problem<PlanarMotion>& problem, const SpanningTree& tree)
+    : problem_(problem), tree_(tree), term_to_(terms_of_tree(problem, tree)) {
   for (std::size_t i = 0; i < problem.terms.size(); ++i) {
     const Term& term = problem.terms[i];
-    if (term_to[term.to] == i || term_to[term.from] == i) continue;
-    if (tree.component[term.from] != tree.component[term.to]) continue;
-    round[i] = sum[term.from] + turn_left(term, states) - sum[term.to];
+    if (term_to_[term.to] == i || term_to_[term.from] == i) continue;
+    if (tree.component[term.from] == tree.component[term.to]) closing_.push_back(i);
+  }
+  find_variances();
+}
+
+void Loops<PlanarMotion>::find_variances() {
+  const std::vector<double> variance = added_up(
+      tree_, problem_, term_to_, [](const Term& term, bool) { return variance_of_turn(term); });
+  std::vector<std::size_t> depth(tree_.arc_to.size(), 0);
+  for (const std::size_t pose : tree_.order) {
+    if (tree_.parent[pose] != SpanningTree::kNone) depth[pose] = depth[tree_.parent[pose]] + 1;
+  }
+  variance_.reserve(closing_.size());
+  for (const std::size_t closing : closing_) {
+    const Term& term = problem_.terms[closing];
+    const std::size_t fork = meeting(tree_, depth, term.from, term.to);
+    variance_.push_back(variance[term.from] + variance[term.to] - 2.0 * variance[fork] +
+                        variance_of_turn(term));
+  }
+}
+
+std::vector<double> Loops<PlanarMotion>::turns(const States& states) const {
+  const std::vector<double> sum =
+      added_up(tree_, problem_, term_to_, [&](const Term& term, bool forward) {
+        return forward ? turn_left(term, states) : -turn_left(term, states);
+      });
+  std::vector<double> round;
+  round.reserve(closing_.size());
+  for (const std::size_t closing : closing_) {
+    const Term& term = problem_.terms[closing];
+    round.push_back(sum[term.from] + turn_left(term, states) - sum[term.to]);
   }
   return round;
 }
 
-std::vector<OtherWinding> other_windings(const Problem<PlanarMotion>& problem,
-                                         const SpanningTree& tree, const States& states,
-                                         double highest_price) {
-  const std::vector<double> round = turns_round_loops(problem, tree, states);
-  const std::vector<double> variance = variances_round_loops(problem, tree);
+std::vector<OtherWinding> Loops<PlanarMotion>::other_windings(const States& states,
+                                                              const std::vector<double>& turns,
+                                                              double highest_price) const {
   std::vector<OtherWinding> others;
-  for (std::size_t i = 0; i < round.size(); ++i) {
-    if (round[i] == 0.0 || variance[i] <= 0.0) continue;
-    const double whole = std::copysign(2.0 * M_PI, round[i]);
-    const double other = round[i] - whole;
-    const double price = (other * other - round[i] * round[i]) / variance[i];
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (turns[i] == 0.0 || variance_[i] <= 0.0) continue;
+    const double whole = std::copysign(kWholeTurn, turns[i]);
+    const double other = turns[i] - whole;
+    const double price = (other * other - turns[i] * turns[i]) / variance_[i];
     if (price > highest_price) continue;
-    others.push_back({i, turn_left(problem.terms[i], states) - whole, price});
+    others.push_back({closing_[i], turn_left(problem_.terms[closing_[i]], states) - whole, price});
   }
   std::stable_sort(others.begin(), others.end(),
                    [](const OtherWinding& a, const OtherWinding& b) { return a.price < b.price; });
   return others;
 }
 
-std::optional<States> rewound(const Problem<PlanarMotion>& problem, const BlockPattern& pattern,
-                              States states, const OtherWinding& winding) {
-  using Turns = LinearLeastSquares<1, 1>;
-  using Number = Turns::Unknown;
-  Turns turns(problem);
-  const auto stays = [](std::size_t) { return Number(Number::Zero()); };
-  const Number one = Number::Ones();
-  for (std::size_t i = 0; i < problem.terms.size(); ++i) {
-    const Term& term = problem.terms[i];
-    const double left = i == winding.term ? winding.turn : turn_left(term, states);
-    turns.add(term, problem.node, PlanarMotion::turn_weight(term.information), one,
-              Number(Number::Constant(-left)), stays);
-  }
-  if (!turns.solve(pattern)) return std::nullopt;
-  for (std::size_t i = 0; i < problem.pose.size(); ++i) {
-    PlanarMotion::State& state = states[problem.pose[i]];
-    const double turn = turns.at_node(static_cast<int>(i))(0);
-    state = PlanarMotion::turned(state.t, wrap_angle(state.heading + turn));
-  }
-  if (!put_in_place(problem, pattern, states)) return std::nullopt;
-  return states;
+bool is_wound_up(const std::vector<double>& turns) {
+  return std::any_of(turns.begin(), turns.end(), [](double turn) { return std::abs(turn) > M_PI; });
 }
 
-std::vector<OtherWinding> other_windings(const Problem<SpatialMotion>&, const SpanningTree&,
-                                         const std::vector<SpatialMotion::State>&, double) {
-  return {};
-}
-
-std::optional<std::vector<SpatialMotion::State>> rewound(const Problem<SpatialMotion>&,
-                                                         const BlockPattern&,
-                                                         const std::vector<SpatialMotion::State>&,
-                                                         const OtherWinding&) {
-  return std::nullopt;
+bool are_wound_alike(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [](double x, double y) { return whole_turns(x) == whole_turns(y); });
 }
 
 }  // namespace portolan

@@ -18,32 +18,54 @@ struct OtherWinding {
   double price;      ///< what headings alone would add to chi^2
 };
 
-/// By term: what is left of the turns round the loop that it closes with the tree; 0 for those of
-/// the tree and between its parts. Along the tree turns add up from the root, so that this is not
-/// wrapped: beyond half a turn the loop was wound up.
-std::vector<double> turns_round_loops(const Problem<PlanarMotion>& problem,
-                                      const SpanningTree& tree,
-                                      const std::vector<PlanarMotion::State>& states);
+/// The loops that arcs close with a graph's tree, and how turns add up round them. Along the tree
+/// they add up from the root, so that what is left is not wrapped: beyond half a turn a loop was
+/// wound up. Coordinates whose loops are all wound alike differ in no other minimum of headings.
+template <class Motion>
+class Loops;
 
-/// Loops that the headings would not mind much to see wound another way, by increasing price up to
-/// a highest one. In space there are none: turns do not add up there.
-std::vector<OtherWinding> other_windings(const Problem<PlanarMotion>& problem,
-                                         const SpanningTree& tree,
-                                         const std::vector<PlanarMotion::State>& states,
-                                         double highest_price);
-std::vector<OtherWinding> other_windings(const Problem<SpatialMotion>& problem,
-                                         const SpanningTree& tree,
-                                         const std::vector<SpatialMotion::State>& states,
-                                         double highest_price);
+template <>
+class Loops<PlanarMotion> {
+ public:
+  using States = std::vector<PlanarMotion::State>;
 
-/// Headings as linear least squares have them with that loop wound the other way, and positions to
-/// go with them; none where arcs leave them open.
-std::optional<std::vector<PlanarMotion::State>> rewound(const Problem<PlanarMotion>& problem,
-                                                        const BlockPattern& pattern,
-                                                        std::vector<PlanarMotion::State> states,
-                                                        const OtherWinding& winding);
-std::optional<std::vector<SpatialMotion::State>> rewound(
-    const Problem<SpatialMotion>& problem, const BlockPattern& pattern,
-    const std::vector<SpatialMotion::State>& states, const OtherWinding& winding);
+  /// Both must outlive it.
+  Loops(const Problem<PlanarMotion>& problem, const SpanningTree& tree);
+
+  /// By loop: what is left of the turns round it [rad].
+  std::vector<double> turns(const States& states) const;
+  /// Those that headings would not mind much to see wound another way, by increasing price up to a
+  /// highest one; `turns` are those of the states.
+  std::vector<OtherWinding> other_windings(const States& states, const std::vector<double>& turns,
+                                           double highest_price) const;
+
+ private:
+  void find_variances();
+
+  const Problem<PlanarMotion>& problem_;
+  const SpanningTree& tree_;
+  std::vector<std::size_t> term_to_;  // by pose: the tree's term that leads to it
+  std::vector<std::size_t> closing_;  // by loop: the term that closes it
+  std::vector<double> variance_;      // by loop: of the turns round it
+};
+
+/// In space there are none: turns do not add up there.
+template <>
+class Loops<SpatialMotion> {
+ public:
+  using States = std::vector<SpatialMotion::State>;
+
+  Loops(const Problem<SpatialMotion>&, const SpanningTree&) {}
+  std::vector<double> turns(const States&) const { return {}; }
+  std::vector<OtherWinding> other_windings(const States&, const std::vector<double>&,
+                                           double) const {
+    return {};
+  }
+};
+
+/// Whether some loop's turns add up to more than half a turn.
+bool is_wound_up(const std::vector<double>& turns);
+/// Whether turns round all loops are by the same number of whole turns from nothing.
+bool are_wound_alike(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace portolan

@@ -66,7 +66,7 @@ class BlockCholeskyTest : public ::testing::Test {};
 
 template <int n>
 using Blocks = std::integral_constant<int, n>;
-using Sizes = ::testing::Types<Blocks<1>, Blocks<2>, Blocks<3>, Blocks<6>>;
+using Sizes = ::testing::Types<Blocks<1>, Blocks<3>, Blocks<6>>;
 TYPED_TEST_SUITE(BlockCholeskyTest, Sizes, );
 
 TYPED_TEST(BlockCholeskyTest, solves_as_a_dense_factor_does) {
@@ -78,7 +78,7 @@ TYPED_TEST(BlockCholeskyTest, solves_as_a_dense_factor_does) {
     const Pairs pairs = random_pairs(size, chords, random);
     const BlockMatrix<kSize> matrix = random_matrix<kSize>(size, pairs, random);
     const BlockPattern pattern(Neighbours(size, pairs));
-    BlockCholesky<kSize> cholesky(pattern, matrix);
+    BlockCholesky<kSize> cholesky(pattern, pairs);
     for (const double damping : {0.0, 0.5}) {
       Eigen::MatrixXd all = dense(matrix);
       all.diagonal() *= 1.0 + damping;
@@ -99,7 +99,7 @@ TYPED_TEST(BlockCholeskyTest, solves_without_pairs) {
   BlockMatrix<kSize> matrix(3, {});
   for (auto& block : matrix.diagonal) block.diagonal().setConstant(4.0);
   const BlockPattern pattern(Neighbours(3, {}));
-  BlockCholesky<kSize> cholesky(pattern, matrix);
+  BlockCholesky<kSize> cholesky(pattern, {});
   ASSERT_TRUE(cholesky.factor(matrix));
   Eigen::VectorXd x = Eigen::VectorXd::Constant(3 * kSize, 8.0);
   cholesky.solve(x);
@@ -112,7 +112,7 @@ TYPED_TEST(BlockCholeskyTest, tells_what_is_not_positive) {
   const Pairs pairs = random_pairs(20, 20, random);
   BlockMatrix<kSize> matrix = random_matrix<kSize>(20, pairs, random);
   const BlockPattern pattern(Neighbours(20, pairs));
-  BlockCholesky<kSize> cholesky(pattern, matrix);
+  BlockCholesky<kSize> cholesky(pattern, pairs);
   ASSERT_TRUE(cholesky.factor(matrix));
   EXPECT_GT(cholesky.smallest_pivot(), 1e-6);
   EXPECT_LE(cholesky.smallest_pivot(), 1.0);

@@ -38,7 +38,7 @@ struct OptimizerOptions {
   RobustKernel kernel = RobustKernel::none;
   double kernel_width = 3.0;
   std::size_t max_iterations = 100;
-  double tolerance = 1e-8;
+  double tolerance = 1e-6;
   double poor_fit = 2.0;
 
   template <class Self, class Visitor>
