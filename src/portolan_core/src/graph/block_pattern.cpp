@@ -1,34 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/block_pattern.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <numeric>
+
+#include "graph/elimination_order.hpp"
 
 namespace portolan {
 
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// By node: when an approximate minimum degree ordering eliminates it.
-std::vector<int> minimum_degree(const Neighbours& graph) {
-  Eigen::SparseMatrix<float> matrix(graph.size(), graph.size());
-  for (int node = 0; node < graph.size(); ++node) {
-    matrix.startVec(node);
-    matrix.insertBackByOuterInner(node, node) = 1.0F;
-    for (const int row : graph.of(node)) {
-      if (row > node) matrix.insertBackByOuterInner(node, row) = 1.0F;
-    }
-  }
-  matrix.finalize();
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), order);
-  std::vector<int> place(at(graph.size()));
-  for (int i = 0; i < graph.size(); ++i) place[at(order.indices()[i])] = i;
-  return place;
-}
 
 // By column: its first row below the diagonal of the factor, -1 for none. Liu's algorithm, with
 // shortcuts to the roots found so far.
@@ -154,7 +136,7 @@ class Amalgamation {
 
 }  // namespace
 
-BlockPattern::BlockPattern(const Neighbours& graph) : place_(minimum_degree(graph)) {
+BlockPattern::BlockPattern(const Neighbours& graph) : place_(elimination_order(graph)) {
   const std::vector<int> tree = elimination_tree(graph.renamed(place_));
   const std::vector<int> number = postorder(tree);
   for (int& place : place_) place = number[at(place)];

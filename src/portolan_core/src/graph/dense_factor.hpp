@@ -10,14 +10,19 @@
 
 namespace portolan::dense {
 
-// Cholesky factor of a small block, with the inverses of what stands on its diagonal instead.
+// Cholesky factor of a small block, with the inverses of what stands on its diagonal instead. Roots
+// come last, where no pivot waits for one.
 template <int n>
 PORTOLAN_INLINE bool factor_corner(double (&l)[n][n]) {
   for (int j = 0; j < n; ++j) {
-    for (int k = 0; k < j; ++k) {
-      for (int i = j; i < n; ++i) l[j][i] -= l[k][i] * l[k][j];
-    }
     if (!(l[j][j] > 0.0)) return false;
+    const double inverse = 1.0 / l[j][j];
+    for (int k = j + 1; k < n; ++k) {
+      const double share = l[j][k] * inverse;
+      for (int i = k; i < n; ++i) l[k][i] -= l[j][i] * share;
+    }
+  }
+  for (int j = 0; j < n; ++j) {
     l[j][j] = 1.0 / std::sqrt(l[j][j]);
     for (int i = j + 1; i < n; ++i) l[j][i] *= l[j][j];
   }

@@ -20,6 +20,13 @@ bool is_turned_beyond(double angle, const Problem<Motion>& problem,
   });
 }
 
+bool is_disconnected(const Graph& graph, const SpanningTree& tree) {
+  const auto& poses = graph.poses();
+  const auto fixed = static_cast<std::size_t>(
+      std::count_if(poses.begin(), poses.end(), [](const GraphPose& p) { return p.fixed; }));
+  return tree.components > std::max<std::size_t>(fixed, 1);
+}
+
 bool is_poor_fit(double chi2, std::size_t degrees_of_freedom, double factor) {
   const auto degrees = static_cast<double>(degrees_of_freedom);
   return chi2 > factor * degrees + kSigmas * std::sqrt(2.0 * degrees) + 1e-6;

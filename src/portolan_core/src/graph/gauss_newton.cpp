@@ -33,7 +33,7 @@ bool are_turned_alike(const Problem<Motion>& problem, const std::vector<typename
 }
 
 template <class Motion>
-typename GaussNewton<Motion>::Descent GaussNewton<Motion>::descend(States& states,
+typename GaussNewton<Motion>::Descent GaussNewton<Motion>::descend(States& states, double cost,
                                                                    const Kernel& kernel,
                                                                    const Limits& limits) {
   Descent descent;
@@ -41,7 +41,7 @@ typename GaussNewton<Motion>::Descent GaussNewton<Motion>::descend(States& state
   last_promise_ = 0.0;
   full_steps_ = 0;
   may_overshoot_ = true;
-  descent.cost = cost(problem_, states, kernel);
+  descent.cost = cost;
   while (!descent.converged && descent.iterations < limits.max_iterations) {
     descent.known = leads_to_known(limits, states, descent.cost);
     if (descent.known || !improve(states, kernel, limits, descent)) break;

@@ -41,7 +41,8 @@ class GaussNewton {
   GaussNewton(const Problem<Motion>& problem, const BlockPattern& pattern)
       : problem_(problem), equations_(problem), cholesky_(pattern, problem.pairs) {}
 
-  Descent descend(States& states, const Kernel& kernel, const Limits& limits);
+  /// The cost is that of the states.
+  Descent descend(States& states, double cost, const Kernel& kernel, const Limits& limits);
 
  private:
   bool improve(States& states, const Kernel& kernel, const Limits& limits, Descent& descent);

@@ -52,7 +52,7 @@ class Run {
     const bool ask = options_.start == GraphStart::best || !looks_right(best);
     std::vector<OtherWinding> others = likely_windings(best);
     for (std::size_t i = 1; ask && i < starts.size() && (i < 2 || disputed); ++i) {
-      if (others.empty() && is_confirmed_by(starts[i].states, best)) continue;
+      if (others.empty() && is_confirmed_by(starts[i], best)) continue;
       Result other = descend(starts[i], &best);
       if (!differs(other, best)) continue;
       disputed = true;
@@ -118,13 +118,16 @@ class Run {
   // Whether turns alone lead to the same orientations from a start and from a minimum that leaves
   // no arc turned far off: positions would follow. If not, the start is where they lead. With a
   // kernel positions do not follow.
-  bool is_confirmed_by(States& start, const Result& best) {
+  bool is_confirmed_by(Start& start, const Result& best) {
     if (!is_plain()) return false;
-    if (are_turned_alike(problem_, start, best.states)) return true;
+    if (are_turned_alike(problem_, start.states, best.states)) return true;
     if (is_turned_beyond(kTurnedFar, problem_, best.states)) return false;
-    States turned = start;
+    States turned = start.states;
     if (do_turns_lead_to(best, turned)) return true;
-    if (linear_.put_in_place(turned)) start = std::move(turned);
+    if (linear_.put_in_place(turned)) {
+      start.cost = cost(problem_, turned, kernel_);
+      start.states = std::move(turned);
+    }
     return false;
   }
 
@@ -153,7 +156,8 @@ class Run {
       tried.insert(other->term);
       States states = best.states;
       if (!linear_.rewind(*other, states) || !linear_.put_in_place(states)) continue;
-      Result result = descend({best.start, std::move(states), 0.0}, &best);
+      const double its_cost = cost(problem_, states, kernel_);
+      Result result = descend({best.start, std::move(states), its_cost}, &best);
       if (!differs(result, best) || best.descent.cost < result.descent.cost) continue;
       best = std::move(result);
       others = likely_windings(best);
@@ -184,20 +188,23 @@ class Run {
   // Graduated kernels begin so convex that every arc counts, and end as they were asked for.
   Result descend(const Start& start, const Result* known) {
     Result result{start.kind, start.states, {}, {}};
+    double its_cost = start.cost;
     typename GaussNewton<Motion>::Limits limits{options_.max_iterations, options_.tolerance};
     if (kernel_.shape == RobustKernel::geman_mcclure) {
       Kernel kernel = kernel_;
       kernel.convexity = std::max(1.0, largest_residual(result.states) / kernel.width2);
       for (; kernel.convexity > 1.0; kernel.convexity /= kGraduation) {
-        solver_.descend(result.states, kernel, {2, options_.tolerance});
+        solver_.descend(result.states, cost(problem_, result.states, kernel), kernel,
+                        {2, options_.tolerance});
       }
+      its_cost = cost(problem_, result.states, kernel_);
     }
     if (known != nullptr) {
       limits.known_minimum = known->descent.cost;
       // With a kernel, positions do not follow from turns.
       if (is_plain()) limits.known = &known->states;
     }
-    result.descent = solver_.descend(result.states, kernel_, limits);
+    result.descent = solver_.descend(result.states, its_cost, kernel_, limits);
     report_.iterations += result.descent.iterations;
     report_.factorizations += result.descent.factorizations;
     result.turns = loops_.turns(result.states);
@@ -253,7 +260,7 @@ class Run {
     report_.degrees_of_freedom = degrees_of_freedom();
     doubt(Doubt::not_converged, !best.descent.converged);
     doubt(Doubt::undetermined, best.descent.smallest_pivot < kSingular);
-    doubt(Doubt::disconnected, disconnected());
+    doubt(Doubt::disconnected, is_disconnected(graph_, tree_));
     doubt(Doubt::bad_information, problem_.has_bad_information);
     doubt(Doubt::poor_fit, is_poor_fit(best.descent.cost, degrees_of_freedom(), options_.poor_fit));
     doubt(Doubt::wound_up, is_wound_up(best));
@@ -264,14 +271,6 @@ class Run {
           term.may_fail && !is_plain() ? kernel_.weight(chi2(term, best.states)) : 1.0;
     }
     for (const std::size_t pose : problem_.pose) graph.move(pose, Motion::pose(best.states[pose]));
-  }
-
-  // More roots than fixed poses, or none of these and more than one.
-  bool disconnected() const {
-    const auto& poses = graph_.poses();
-    const auto fixed = static_cast<std::size_t>(
-        std::count_if(poses.begin(), poses.end(), [](const GraphPose& p) { return p.fixed; }));
-    return tree_.components > std::max<std::size_t>(fixed, 1);
   }
 
   const Graph& graph_;
