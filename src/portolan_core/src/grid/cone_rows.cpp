@@ -22,7 +22,8 @@ double from_tile(std::int64_t fine, int tile) {
 
 Cell tile_of(Cell cell) { return {cell.x >> TileMap::kSideLog2, cell.y >> TileMap::kSideLog2}; }
 
-/// Draws a cone, band by band of tiles.
+/// Draws a cone, by two bands of tiles. Roots take long: while those of the first band are on their
+/// way, those of the second one can start.
 template <class Rows>
 class Pen {
  public:
@@ -33,12 +34,11 @@ class Pen {
     const Cell first = tile_of(cone_.covered.min);
     const Cell last = tile_of({cone_.covered.max.x - 1, cone_.covered.max.y - 1});
     bool is_empty = true;
-    for (int y = first.y; y <= last.y; ++y) {
-      begin_ = static_cast<std::size_t>(std::max(0, cone_.covered.min.y - y * kSide));
-      end_ = static_cast<std::size_t>(std::min(kSide, cone_.covered.max.y - y * kSide));
-      find_spans(from_tile(cone_.apex.y, y));
-      for (int x = first.x; x <= last.x; ++x) {
-        is_empty = !draw_tile({x, y}) && is_empty;
+    for (int y = first.y; y <= last.y; y += 2) {
+      const int end = std::min(y + 2, last.y + 1);
+      for (int band = y; band < end; ++band) find_spans(band);
+      for (int band = y; band < end; ++band) {
+        for (int x = first.x; x <= last.x; ++x) is_empty = !draw_tile({x, band}) && is_empty;
       }
     }
     return !is_empty;
@@ -54,11 +54,23 @@ class Pen {
     Doubles from, free_from, free_to, to;
   };
 
-  std::size_t first_row() const { return begin_ & ~(kCount - 1); }
+  // The covered rows of a band from its first one on, or from so much lower that whole steps end in
+  // the band.
+  std::size_t begin(int band) const {
+    const int row = std::max(0, cone_.covered.min.y - band * kSide);
+    const int steps = (static_cast<int>(end(band)) - row + Rows::kCount - 1) / Rows::kCount;
+    return static_cast<std::size_t>(std::min(row, kSide - steps * Rows::kCount));
+  }
+  std::size_t end(int band) const {
+    return static_cast<std::size_t>(std::min(kSide, cone_.covered.max.y - band * kSide));
+  }
 
-  // Of the covered rows of a band in which the apex has this y.
-  void find_spans(double y_apex) {
-    for (std::size_t row = first_row(); row < end_; row += kCount) {
+  Spans* spans(int band, std::size_t row) { return spans_[band & 1][row / kCount].data(); }
+
+  void find_spans(int band) {
+    const double y_apex = from_tile(cone_.apex.y, band);
+    const std::size_t last = end(band);
+    for (std::size_t row = begin(band); row < last; row += kCount) {
       const Doubles y = middles() + (static_cast<double>(row) - y_apex);
       const Doubles near = half_width(cone_.free_square, y);
       const Doubles far = half_width(cone_.reach_square, y);
@@ -66,7 +78,7 @@ class Pen {
         const ConeRows::Wedge& wedge = cone_.wedges[i];
         const Doubles from = max(x_of(wedge.from[0], y), x_of(wedge.from[1], y));
         const Doubles to = min(x_of(wedge.to[0], y), x_of(wedge.to[1], y));
-        spans_[row / kCount][i] = {max(from, -far), max(from, -near), min(to, near), min(to, far)};
+        spans(band, row)[i] = {max(from, -far), max(from, -near), min(to, near), min(to, far)};
       }
     }
   }
@@ -74,18 +86,20 @@ class Pen {
   // False where the cone has no cell in the tile.
   bool draw_tile(Cell index) {
     const double x = from_tile(cone_.apex.x, index.x);
+    const RowUpdate<Rows> update = update_;
     TileMap::Tile* tile = nullptr;
-    for (std::size_t row = first_row(); row < end_; row += kCount) {
+    const std::size_t last = end(index.y);
+    for (std::size_t row = begin(index.y); row < last; row += kCount) {
       Words free{};
       Words all{};
       for (std::size_t i = 0; i < cone_.count; ++i) {
-        const Spans& spans = spans_[row / kCount][i];
-        free |= bits_from(x + spans.free_from) & ~bits_from(x + spans.free_to);
-        all |= bits_from(x + spans.from) & ~bits_from(x + spans.to);
+        const Spans& s = spans(index.y, row)[i];
+        free |= bits_from(x + s.free_from) & ~bits_from(x + s.free_to);
+        all |= bits_from(x + s.from) & ~bits_from(x + s.to);
       }
       if (tile == nullptr && is_zero(all)) continue;
       if (tile == nullptr) tile = &map_.at(index);
-      update_(tile->row(static_cast<int>(row)), free, all & ~free);
+      update(tile->row(static_cast<int>(row)), free, all & ~free);
     }
     if (tile != nullptr) tile->revision = revision_;
     return tile != nullptr;
@@ -111,7 +125,7 @@ class Pen {
   // rounds, and leaves what was rounded in the lowest bits.
   static Words bits_from(Doubles x) {
     constexpr double kLarge = 0x1p52;
-    const Doubles rounded = max(x, Doubles{}) + kLarge;
+    const Doubles rounded = max(x, Doubles{} + 0.25) + kLarge;
     Words count;
     std::memcpy(&count, &rounded, sizeof(count));
     return rounded < kLarge + kSide ? ~Words{} << (count & (kSide - 1)) : Words{};
@@ -133,10 +147,8 @@ class Pen {
   TileMap& map_;
   RowUpdate<Rows> update_;
   std::uint64_t revision_;
-  // Of the band at hand.
-  std::size_t begin_ = 0;
-  std::size_t end_ = 0;
-  std::array<std::array<Spans, ConeRows::kMaxWedges>, kSide / kCount> spans_;
+  using Band = std::array<std::array<Spans, ConeRows::kMaxWedges>, kSide / kCount>;
+  std::array<Band, 2> spans_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "portolan/grid/tile_map.hpp"
 
 #ifdef PORTOLAN_HAS_WIDE_ROWS
-#include <immintrin.h>
+#include "portolan/grid/row_update_avx512.hpp"
 #endif
 
 namespace portolan {
@@ -92,59 +92,5 @@ class RowUpdate {
 
   CellUpdate update_;
 };
-
-#ifdef PORTOLAN_HAS_WIDE_ROWS
-
-/// A row is one register and its bits are one mask.
-template <>
-class RowUpdate<EightRows> {
- public:
-  using Words = EightRows::Words;
-
-  explicit RowUpdate(const CellUpdate& update) : update_(update) {}
-
-  [[gnu::target("avx512f,avx512bw")]] bool operator()(CellByte* row, Words free,
-                                                      Words occupied) const {
-    const Words any = free | occupied;
-    if (_mm512_test_epi64_mask((__m512i)any, (__m512i)any) == 0) return false;
-    const __m512i prior = _mm512_set1_epi8(static_cast<char>(update_.prior));
-    const __m512i floor = _mm512_set1_epi8(static_cast<char>(update_.free_floor));
-    const __m512i down = _mm512_set1_epi8(static_cast<char>(update_.free_step));
-    const __m512i ceiling = _mm512_set1_epi8(static_cast<char>(update_.occupied_ceiling));
-    const __m512i up = _mm512_set1_epi8(static_cast<char>(update_.occupied_step));
-    free &= ~occupied;
-    const Bits freed_bits(free);
-    const Bits hit_bits(occupied);
-    for (int i = 0; i < EightRows::kCount; ++i, row += TileMap::kSide) {
-      const __m512i before = _mm512_load_si512(row);
-      const __m512i known =
-          _mm512_mask_mov_epi8(before, _mm512_testn_epi8_mask(before, before), prior);
-      const __m512i freed =
-          _mm512_mask_sub_epi8(before, freed_bits[i], _mm512_max_epu8(known, floor), down);
-      const __m512i after =
-          _mm512_mask_add_epi8(freed, hit_bits[i], _mm512_min_epu8(known, ceiling), up);
-      _mm512_store_si512(row, after);
-    }
-    return true;
-  }
-
- private:
-  /// The words of a vector by way of memory: from there they come to the mask registers sooner than
-  /// by shuffles, which compilers prefer.
-  class Bits {
-   public:
-    explicit Bits(Words words) { std::memcpy(words_.data(), &words, sizeof(words)); }
-    std::uint64_t operator[](int i) const {
-      return static_cast<const volatile std::uint64_t*>(words_.data())[i];
-    }
-
-   private:
-    std::array<std::uint64_t, EightRows::kCount> words_;
-  };
-
-  CellUpdate update_;
-};
-
-#endif
 
 }  // namespace portolan
