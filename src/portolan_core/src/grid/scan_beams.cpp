@@ -50,6 +50,12 @@ void read(const float* __restrict ranges, std::size_t n, const Limits& limits, d
   }
 }
 
+// Which ranges are so long at least?
+void compare(const double* __restrict range, std::size_t n, double least,
+             std::uint8_t* __restrict is_long) {
+  for (std::size_t i = 0; i < n; ++i) is_long[i] = range[i] >= least ? 1 : 0;
+}
+
 // So many directions, seen from the map.
 void turn(const Eigen::Matrix2d& R, std::size_t n, const double* __restrict x,
           const double* __restrict y, double* __restrict map_x, double* __restrict map_y) {
@@ -122,10 +128,10 @@ void ScanBeams::look_up_directions(const RangeScan& scan) {
 void ScanBeams::look_up_ranges(const RangeScan& scan, const GridOptions& options) {
   const LaserModel& model = options.laser;
   const double d = model.margin;
-  least_range_ = options.resolution / 32.0;
   same_ = 2.0 * d + options.resolution;
   const std::size_t n = scan.ranges.size();
   range_.resize(n);
+  frees_.resize(n + 1);
   hit_.resize(n);
   beyond_.resize(n);
   const bool measures = scan.range_min < scan.range_max;
@@ -138,7 +144,9 @@ void ScanBeams::look_up_ranges(const RangeScan& scan, const GridOptions& options
       model.no_return == NoReturn::clear ? std::min(model.max_range, scan.range_max) : 0.0;
   with_widest_rows([&](auto) {
     read(scan.ranges.data(), n, limits, d, range_.data(), hit_.data(), beyond_.data());
+    compare(range_.data(), n, options.resolution / 32.0, frees_.data());
   });
+  frees_[n] = frees_[0];
 }
 
 void ScanBeams::turn_directions() {

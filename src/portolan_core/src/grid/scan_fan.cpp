@@ -2,6 +2,9 @@
 #include "portolan/grid/scan_fan.hpp"
 
 #include <array>
+#include <cstring>
+
+#include "portolan/grid/row_vectors.hpp"
 
 namespace portolan {
 
@@ -19,6 +22,29 @@ void for_each_apart(std::size_t count, Visit visit) {
     visit(i + 3 * quarter);
   }
   for (std::size_t i = 4 * quarter; i < count; ++i) visit(i);
+}
+
+// Neighbours are joined where both free something.
+void join(std::size_t n, const std::uint8_t* __restrict frees, std::uint8_t is_round,
+          std::uint8_t* __restrict is_joined) {
+  for (std::size_t i = 0; i < n; ++i) is_joined[i] = frees[i] & frees[i + 1];
+  is_joined[n - 1] &= is_round;
+}
+
+// Which free something, but are not joined on both sides?
+void find_ends(std::size_t n, const std::uint8_t* __restrict frees,
+               const std::uint8_t* __restrict is_joined, std::uint8_t* __restrict is_end) {
+  is_end[0] = frees[0] & static_cast<std::uint8_t>(~(is_joined[n - 1] & is_joined[0]));
+  for (std::size_t i = 1; i < n; ++i) {
+    is_end[i] = frees[i] & static_cast<std::uint8_t>(~(is_joined[i - 1] & is_joined[i]));
+  }
+}
+
+// The first index from there on that is marked, or one beyond all.
+std::size_t next_marked(const std::vector<std::uint8_t>& marks, std::size_t from) {
+  const void* found = std::memchr(marks.data() + from, 1, marks.size() - from);
+  if (found == nullptr) return marks.size();
+  return static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - marks.data());
 }
 
 }  // namespace
@@ -74,15 +100,14 @@ void ScanFan::make_sectors() {
 // The same where all neighbours lie in the first turn.
 void ScanFan::join_all() {
   const std::size_t n = beams_.size();
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    const int both = static_cast<int>(beams_.frees(i)) & static_cast<int>(beams_.frees(i + 1));
-    is_rim_[i] = static_cast<std::uint8_t>(both);
-  }
-  is_rim_[n - 1] = beams_.is_round() && beams_.frees(n - 1) && beams_.frees(0);
-  std::uint8_t joined = is_rim_[n - 1];
-  for (std::size_t i = 0; i < n; joined = is_rim_[i++]) {
-    if ((joined & is_rim_[i]) != 0 || !beams_.frees(i)) continue;
-    if (joined == 0) add_half(i, -1.0);
+  const std::vector<std::uint8_t>& frees = beams_.frees();
+  is_end_.resize(n);
+  with_widest_rows([&](auto) {
+    join(n, frees.data(), beams_.is_round() ? 1 : 0, is_rim_.data());
+    find_ends(n, frees.data(), is_rim_.data(), is_end_.data());
+  });
+  for (std::size_t i = 0; (i = next_marked(is_end_, i)) < n; ++i) {
+    if (is_rim_[i > 0 ? i - 1 : n - 1] == 0) add_half(i, -1.0);
     if (is_rim_[i] == 0) add_half(i, 1.0);
   }
 }

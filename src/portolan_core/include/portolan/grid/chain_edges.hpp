@@ -32,13 +32,14 @@ class ChainEdges {
  private:
   void choose(const FinePoints& points, const std::vector<std::uint8_t>& is_marked,
               FinePoint shift);
+  void toggle_long(const FinePoints& points, FinePoint shift, const EdgePlane& plane);
   void start(const FinePoints& points, FinePoint shift);
   void toggle_rows(EdgePlane plane);
 
   std::vector<std::int32_t> first_row_;  // above each point
-  std::vector<std::uint32_t> short_;     // edges that pass centres of rows, by their first point
-  std::vector<std::uint32_t> long_;
-  // Of the short ones, see fine_walk::Walk.
+  std::vector<std::uint8_t> passes_;     // by edge: does it pass the centre of a row?
+  std::vector<std::uint32_t> edges_;     // that do and are short, by their first point
+  // Of those, see fine_walk::Walk.
   std::vector<std::int32_t> row_;
   std::vector<std::int32_t> end_;
   std::vector<std::int64_t> position_;

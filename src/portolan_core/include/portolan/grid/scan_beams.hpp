@@ -24,7 +24,8 @@ class ScanBeams {
   void place(const RangeScan& scan, const Pose& T_map_sensor, const GridOptions& options);
 
   std::size_t size() const { return range_.size(); }
-  bool frees(std::size_t i) const { return range_[i] >= least_range_; }
+  bool frees(std::size_t i) const { return frees_[i] != 0; }
+  const std::vector<std::uint8_t>& frees() const { return frees_; }  ///< and the first once more
   bool hits(std::size_t i) const { return hit_[i] > 0.0; }
 
   FinePoint origin(std::size_t i) const;                     ///< of the beam
@@ -78,14 +79,14 @@ class ScanBeams {
   bool may_join_ = false;
   bool is_round_ = false;
   std::size_t first_turn_ = 0;
-  double least_range_ = 0.0;  // what frees less than this frees nothing [m]
-  double same_ = 0.0;         // what ranges of one surface differ by at most [m]
+  double same_ = 0.0;  // what ranges of one surface differ by at most [m]
   Eigen::Matrix2d R_ = Eigen::Matrix2d::Identity();  // turns and projects, at the first beam
   std::vector<Eigen::Matrix2d> R_swept_;             // at each beam, where it moves
   FinePoint centre_;
   FineBounds bounds_;
-  std::vector<double> range_;  // that is free [m]; 0: says nothing
-  std::vector<double> hit_;    // of the echo [m]; 0: none
+  std::vector<double> range_;        // that is free [m]; 0: says nothing
+  std::vector<std::uint8_t> frees_;  // is that more than nothing?
+  std::vector<double> hit_;          // of the echo [m]; 0: none
   std::vector<double> beyond_;
   std::vector<double> map_x_;  // directions in the map
   std::vector<double> map_y_;

@@ -45,6 +45,7 @@ class ScanFan {
   // strip between their echoes?
   std::vector<std::uint8_t> is_rim_;
   std::vector<std::uint8_t> is_strip_;
+  std::vector<std::uint8_t> is_end_;  // of a chain
   ChainEdges rims_;
   std::vector<Edge> outline_;             // the rest of it: where chains of sectors end
   std::vector<Edge> overlapping_;         // sectors beyond the first turn
