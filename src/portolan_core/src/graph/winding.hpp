@@ -20,7 +20,7 @@ struct OtherWinding {
 
 /// The loops that arcs close with a graph's tree, and how turns add up round them. Along the tree
 /// they add up from the root, so that what is left is not wrapped: beyond half a turn a loop was
-/// wound up. Coordinates whose loops are all wound alike differ in no other minimum of headings.
+/// wound up. Of headings with all loops wound alike only one choice is the best.
 template <class Motion>
 class Loops;
 
