@@ -86,10 +86,10 @@ class Pen {
   // False where the cone has no cell in the tile.
   bool draw_tile(Cell index) {
     const double x = from_tile(cone_.apex.x, index.x);
-    const RowUpdate<Rows> update = update_;
-    TileMap::Tile* tile = nullptr;
+    const std::size_t first = begin(index.y);
     const std::size_t last = end(index.y);
-    for (std::size_t row = begin(index.y); row < last; row += kCount) {
+    Words any{};
+    for (std::size_t row = first; row < last; row += kCount) {
       Words free{};
       Words all{};
       for (std::size_t i = 0; i < cone_.count; ++i) {
@@ -97,12 +97,18 @@ class Pen {
         free |= bits_from(x + s.free_from) & ~bits_from(x + s.free_to);
         all |= bits_from(x + s.from) & ~bits_from(x + s.to);
       }
-      if (tile == nullptr && is_zero(all)) continue;
-      if (tile == nullptr) tile = &map_.at(index);
-      update(tile->row(static_cast<int>(row)), free, all & ~free);
+      free_[row / kCount] = free;
+      occupied_[row / kCount] = all & ~free;
+      any |= all;
     }
-    if (tile != nullptr) tile->revision = revision_;
-    return tile != nullptr;
+    if (is_zero(any)) return false;
+    TileMap::Tile& tile = map_.at(index);
+    tile.revision = revision_;
+    const RowUpdate<Rows> update = update_;
+    for (std::size_t row = first; row < last; row += kCount) {
+      update(tile.row(static_cast<int>(row)), free_[row / kCount], occupied_[row / kCount]);
+    }
+    return true;
   }
 
   static bool is_zero(Words words) {
@@ -149,6 +155,9 @@ class Pen {
   std::uint64_t revision_;
   using Band = std::array<std::array<Spans, ConeRows::kMaxWedges>, kSide / kCount>;
   std::array<Band, 2> spans_;
+  // Of the tile at hand.
+  std::array<Words, kSide / kCount> free_;
+  std::array<Words, kSide / kCount> occupied_;
 };
 
 }  // namespace
