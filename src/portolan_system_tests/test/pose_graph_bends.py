@@ -4,9 +4,9 @@
 import math
 
 import rospy
-from geometry_msgs.msg import Pose
+from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from nav_msgs.msg import Path
-from portolan_msgs.msg import DriftCorrection, PoseGraph
+from portolan_msgs.msg import DriftCorrection, GraphArc, PoseGraph
 from portolan_msgs.srv import AddArc, ListArcs, SetArcs
 from tf2_msgs.msg import TFMessage
 
@@ -40,6 +40,17 @@ def between(a, b):
     """Pose b in the frame of pose a."""
     c, s, dx, dy = math.cos(a[2]), math.sin(a[2]), b[0] - a[0], b[1] - a[1]
     return (c * dx + s * dy, -s * dx + c * dy, b[2] - a[2])
+
+
+def by_hand(frame, pose, variance):
+    """A pose as rviz's "2D Pose Estimate" sends it."""
+    message = PoseWithCovarianceStamped()
+    message.header.frame_id = frame
+    message.pose.pose.position.x, message.pose.pose.position.y = pose[:2]
+    message.pose.pose.orientation.z, message.pose.pose.orientation.w = math.sin(pose[2] / 2.0), math.cos(pose[2] / 2.0)
+    for i, value in ((0, variance), (7, variance), (35, 0.07)):
+        message.pose.covariance[i] = value
+    return message
 
 
 def thickness(grid, room):
@@ -149,6 +160,25 @@ class PoseGraphBends(case.NodeCase):
         self.drive(robot, graph, 90.0)
         bridges = [arc for arc in self.loops(graph) if arc.from_ < keyframes <= arc.to]
         self.assertGreater(len(bridges), 2, graph.values())
+        self.check_a_robot_that_is_carried(graph, robot)
+
+    def check_a_robot_that_is_carried(self, graph, robot):
+        """Half a round further on, without odometry's knowing; somebody says where it is."""
+        publisher = rospy.Publisher(f"{self.namespace}/initialpose", PoseWithCovarianceStamped, queue_size=10)
+        eventually(lambda: publisher.get_num_connections() > 0, "the graph listens")
+        self.steps += int(2.0 * SIDE / STEP)
+        now = on_the_round(self.steps * STEP)
+        keyframes = int(graph.values()["keyframes"])
+        for frame, variance, fate in (("odom", 0.25, "other_frame"), ("map", math.nan, "malformed"), ("map", 0.25, "used")):
+            publisher.publish(by_hand(frame, (now[0] + 0.3, now[1] - 0.2, now[2] + 0.1), variance))
+            eventually(lambda: graph.values().get(f"initial poses: {fate}") == "1", f"a pose by hand is {fate}")
+        self.drive(robot, graph, (self.steps + 3) * STEP)  # a lone stamp would be taken for a leap
+        graph.wait_for("scans", received=robot.sent["scan"], waiting=0)
+        eventually(lambda: graph.values().get("place known") != "yes", "a loop has to confirm it")
+        given = [arc for arc in self.loops(graph) if arc.kind == GraphArc.GIVEN]
+        self.assertEqual([(arc.from_, arc.to) for arc in given], [(keyframes - 1, keyframes)])
+        stamp, x, y = (float(word) for word in self.saved(graph)["pose_graph.tum"].splitlines()[-1].split()[:3])
+        self.assertLess(math.hypot(x - now[0], y - now[1]), 1.5, stamp)
 
     def check_a_broken_file(self, graph, scans):
         """Nothing is loaded then, and the answer says why."""

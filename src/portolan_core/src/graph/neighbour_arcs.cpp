@@ -22,26 +22,35 @@ TangentMatrix isotropic(double position, double heading) {
   return covariance;
 }
 
-/// What odometry says of the way; nearly nothing where it was interrupted or jumped.
+bool has_jumped(const Keyframe& last, const Keyframe& next, const OdometryNoise& noise) {
+  const double way = (last.T_odom_base.inverse() * next.T_odom_base).translation().norm();
+  return way > noise.max_speed * std::max(to_seconds(next.stamp - last.stamp), 0.1) + 0.5;
+}
+
+/// What odometry says of the way; nearly nothing where it was interrupted.
 Arc odometry_arc(const Keyframe& last, const Keyframe& next, const OdometryNoise& noise,
                  bool is_interrupted) {
   const Pose T_last_next = last.T_odom_base.inverse() * next.T_odom_base;
   const double way = T_last_next.translation().norm();
   const double turn = rotation_angle(T_last_next);
-  const double time = to_seconds(next.stamp - last.stamp);
-  const bool jumped = is_interrupted || way > noise.max_speed * std::max(time, 0.1) + 0.5;
   constexpr double kStill = 0.01;  // least way that counts, lest anything be certain [m]
   const double counted = std::max(way, kStill);
   constexpr double kCarried = 1.0;  // least way that it may be wrong by then [m]
   const double position =
-      squared(noise.position) * counted + (jumped ? squared(std::max(way, kCarried)) : 0.0);
+      squared(noise.position) * counted + (is_interrupted ? squared(std::max(way, kCarried)) : 0.0);
   const double heading =
-      squared(noise.heading) * counted + squared(noise.turn) * turn + (jumped ? 1.0 : 0.0);
+      squared(noise.heading) * counted + squared(noise.turn) * turn + (is_interrupted ? 1.0 : 0.0);
   Arc arc;
   arc.T_from_to = T_last_next;
   arc.information = information_of(isotropic(position, heading), kSpace);
   arc.kind = ArcKind::odometry;
   return arc;
+}
+
+LocalMap map_of(const Keyframe& keyframe, const SurfaceOptions& options) {
+  LocalMapMaker maker(options);
+  maker.add(keyframe, Pose::Identity());
+  return std::move(maker).make();
 }
 
 bool fits_better(const Match& a, const Match& b) {
@@ -50,14 +59,11 @@ bool fits_better(const Match& a, const Match& b) {
 
 /// From where odometry puts it; after an interruption, in which wheels may have begun to count
 /// anew, also from where it was. What fits better counts.
-Match match_with(const LocalMap& around_last, const Keyframe& next, const Pose& T_last_next,
+Match match_with(const LocalMap& around_last, const LocalMap& here, const Pose& T_last_next,
                  const PoseGraphOptions& options, bool is_interrupted) {
-  LocalMapMaker maker(options.surfaces);
-  maker.add(next, Pose::Identity());
-  const Surface source = std::move(maker).make().surface;
   const SurfaceIndex target(around_last.surface);
   const auto from = [&](const Pose& start) {
-    return icp(target, source, start, kSpace, options.icp);
+    return icp(target, here.surface, start, kSpace, options.icp);
   };
   Match match = from(T_last_next);
   if (!is_interrupted) return match;
@@ -82,6 +88,17 @@ void add_lateness(double time, const OdometryNoise& noise, Arc& odometry) {
   odometry.information = information_of(covariance_of(odometry.information, kSpace) + late, kSpace);
 }
 
+/// After an interruption another place may look like the last one: what fits is a guess, as good as
+/// one by hand, until loops say the same. Where odometry puts it by then is no better than any
+/// other.
+void take_for_a_guess(Arc& odometry, Arc& scan) {
+  constexpr double kShift = 0.5;  // [m]
+  constexpr double kTurn = 0.26;  // [rad]
+  const TangentMatrix doubt = isotropic(squared(kShift), squared(kTurn));
+  scan.information = information_of(covariance_of(scan.information, kSpace) + doubt, kSpace);
+  odometry.information *= 1e-6;
+}
+
 /// How much two arcs contradict each other: squared Mahalanobis distance over what chance allows.
 double contradiction(const Arc& a, const Arc& b) {
   const TangentMatrix covariance =
@@ -97,22 +114,37 @@ ArcReason fault_of(const Match& match, double doubt, const ScanMatchOptions& opt
   return match.overlap < options.min_overlap ? ArcReason::low_overlap : ArcReason::none;
 }
 
+/// After an interruption as much is asked as of any place where the robot may be.
+ArcReason fault_of_guess(const Match& match, const LocalMap& around_last, const LocalMap& here,
+                         const PoseGraphOptions& options) {
+  if (match.overlap < options.scans.sure_overlap) return ArcReason::low_overlap;
+  if (!match.open.empty()) return ArcReason::degenerate;
+  const Agreement seen = agreement(around_last, here, match.T_target_source, options.loops.margin);
+  return seen.agreed < options.loops.places.min_agreed ? ArcReason::poor_match : ArcReason::none;
+}
+
 }  // namespace
 
 NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
                              const LocalMap& around_last, const PoseGraphOptions& options,
                              bool is_interrupted) {
-  NeighbourArcs arcs{odometry_arc(last, next, options.odometry, is_interrupted), std::nullopt};
+  const bool is_broken = is_interrupted || has_jumped(last, next, options.odometry);
+  NeighbourArcs arcs{odometry_arc(last, next, options.odometry, is_broken), std::nullopt};
   if (!options.scans.enabled) return arcs;
-  const Match match =
-      match_with(around_last, next, arcs.odometry.T_from_to, options, is_interrupted);
+  const LocalMap here = map_of(next, options.surfaces);
+  const Match match = match_with(around_last, here, arcs.odometry.T_from_to, options, is_broken);
   if (!match.converged) return arcs;
   arcs.scan = arc_of(match);
-  add_lateness(to_seconds(next.stamp - last.stamp), options.odometry, arcs.odometry);
-  const double doubt = contradiction(arcs.odometry, *arcs.scan);
-  // One of the two is wrong, and who knows which: odometry shall cover both.
-  arcs.odometry.information /= std::max(1.0, doubt);
-  arcs.scan->reason = fault_of(match, doubt, options.scans);
+  if (is_broken) {
+    arcs.scan->reason = fault_of_guess(match, around_last, here, options);
+    if (arcs.scan->reason == ArcReason::none) take_for_a_guess(arcs.odometry, *arcs.scan);
+  } else {
+    add_lateness(to_seconds(next.stamp - last.stamp), options.odometry, arcs.odometry);
+    const double doubt = contradiction(arcs.odometry, *arcs.scan);
+    // One of the two is wrong, and who knows which: odometry shall cover both.
+    arcs.odometry.information /= std::max(1.0, doubt);
+    arcs.scan->reason = fault_of(match, doubt, options.scans);
+  }
   if (arcs.scan->reason != ArcReason::none) arcs.scan->state = ArcState::rejected;
   return arcs;
 }

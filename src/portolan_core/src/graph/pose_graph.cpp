@@ -2,17 +2,13 @@
 #include "portolan/graph/pose_graph.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "portolan/graph/graph_optimizer.hpp"
 #include "portolan/graph/loop/loop_arcs.hpp"
 #include "portolan/graph/neighbour_arcs.hpp"
-#include "portolan/graph/restored_steps.hpp"
-#include "portolan/graph/scan_file.hpp"
+#include "portolan/pose_covariance.hpp"
 
 namespace portolan {
 
@@ -22,10 +18,20 @@ constexpr GraphSpace kSpace = GraphSpace::planar;
 
 std::size_t index_of(PoseId id) { return static_cast<std::size_t>(id); }
 
-double chi_squared(const Arc& arc, const Graph& graph) {
-  const Pose T = graph.at(arc.from).T_map_pose.inverse() * graph.at(arc.to).T_map_pose;
-  const Tangent r = small_motion(arc.T_from_to.inverse() * T);
-  return r.dot(arc.information * r);
+// What is said by hand is never surer than this [m^2, rad^2].
+constexpr double kLeastVariance = 0.25 * 0.25;
+constexpr double kLeastTurnVariance = 0.1 * 0.1;
+
+// What is left of odometry's information where somebody knows better.
+constexpr double kNothing = 1e-6;
+
+// Keyframes on both sides of a gap are no neighbours, however near odometry puts them [m].
+constexpr double kGap = 1e3;
+
+// Whether nobody knows how the robot came from one keyframe to the next: they are no one place.
+bool is_gap(const UncertainPose& step) {
+  constexpr double kLost = 0.45;  // [m]
+  return step.covariance.diagonal().head<2>().maxCoeff() > kLost * kLost;
 }
 
 }  // namespace
@@ -49,11 +55,11 @@ std::optional<Outcome> PoseGraph::insert(Time stamp, const Pose& T_odom_base, co
   const auto id = static_cast<PoseId>(keyframes_.size() - 1);
   graph_.add(GraphPose{id, stamp, T_odom_base, is_first});
   if (is_first) {
-    steps_.emplace_back();
-    chain_.add(steps_.back());
+    step_on({});
   } else {
     connect();
     if (options_.loops.enabled) look_for_loops();
+    if (options_.loops.enabled && is_searched_ && is_lost()) look_everywhere();
   }
   scan_bytes_ += byte_size(keyframes_.back().scan);
   forget_scans();
@@ -66,6 +72,7 @@ double PoseGraph::way_to(const Pose& T_odom_base) const {
 }
 
 bool PoseGraph::is_due(Time stamp, const Pose& T_odom_base) const {
+  if (is_told(stamp)) return true;
   const KeyframeOptions& options = options_.keyframes;
   const Pose moved = keyframes_.back().T_odom_base.inverse() * T_odom_base;
   const double share = std::max(moved.translation().norm() / options.min_travel,
@@ -75,10 +82,21 @@ bool PoseGraph::is_due(Time stamp, const Pose& T_odom_base) const {
   return share >= 1.0 || (waited && share >= 0.1);
 }
 
+Outcome PoseGraph::expect(const UncertainPose& T_map_base, Time since) {
+  if (!is_valid(T_map_base.mean) || !is_stated(T_map_base.covariance)) return Outcome::unusable;
+  if (keyframes_.empty()) return Outcome::rejected;
+  told_ = T_map_base;
+  told_since_ = since;
+  return Outcome::inserted;
+}
+
+// A node that was started again in mid-run goes on with the same odometry, which has hardly moved.
+// Where somebody said where the robot is, it is not matched with where it was: loops decide.
 void PoseGraph::connect() {
   const std::size_t now = keyframes_.size() - 1;
+  const bool is_told = this->is_told(keyframes_[now].stamp);
   const LocalMap around_last =
-      options_.scans.enabled
+      options_.scans.enabled && !is_told
           ? placed().map_around(now - 1, options_.scans.map_way, 0.0, options_.surfaces)
           : LocalMap{};
   const auto add = [&](Arc& arc) {
@@ -86,15 +104,47 @@ void PoseGraph::connect() {
     arc.to = static_cast<PoseId>(now);
     graph_.add(arc);
   };
-  auto [odometry, scan] =
-      neighbour_arcs(keyframes_[now - 1], keyframes_[now], around_last, options_, is_resumed_);
+  auto [odometry, scan] = neighbour_arcs(keyframes_[now - 1], keyframes_[now], around_last,
+                                         options_, is_resumed_ || is_told);
   is_resumed_ = false;
+  if (is_told) odometry.information *= kNothing;
   add(odometry);
   if (scan) add(*scan);
   const bool counts = scan && scan->state == ArcState::accepted;
-  steps_.push_back(counts ? fused(odometry, *scan, kSpace) : link_of(odometry).T_from_to);
-  chain_.add(steps_.back());
+  step_on(counts ? fused(odometry, *scan, kSpace) : link_of(odometry).T_from_to);
+  if (is_gap(steps_.back())) {
+    search_ = PlaceSearch(now);
+    suspected_.reset();
+    has_guess_ =
+        counts || is_told || is_near(keyframes_[now - 1].T_odom_base, keyframes_[now].T_odom_base);
+    is_searched_ = options_.loops.places.enabled && !is_told;
+  }
   place_after(now - 1);
+  if (!is_told) return;
+  add_guess(told_->mean, told_->covariance);
+  told_.reset();
+}
+
+void PoseGraph::step_on(const UncertainPose& step) {
+  if (is_gap(step)) keyframes_[steps_.size()].travelled += kGap;
+  steps_.push_back(step);
+  chain_.add(step);
+}
+
+void PoseGraph::add_guess(const Pose& T_map_base, const TangentMatrix& covariance) {
+  const std::size_t now = keyframes_.size() - 1;
+  TangentMatrix least = TangentMatrix::Zero();
+  least.diagonal() << kLeastVariance, kLeastVariance, 0.0, 0.0, 0.0, kLeastTurnVariance;
+  Arc guess;
+  guess.from = static_cast<PoseId>(now - 1);
+  guess.to = static_cast<PoseId>(now);
+  const Pose T = graph_.poses()[now - 1].T_map_pose.inverse() * T_map_base;
+  guess.T_from_to = planar_pose(T.translation().x(), T.translation().y(), yaw(T));
+  guess.information = information_of(covariance + least, kSpace);
+  guess.kind = ArcKind::given;
+  guess.reason = ArcReason::by_request;
+  graph_.add(guess);
+  settle();
 }
 
 void PoseGraph::forget_scans() {
@@ -120,55 +170,6 @@ std::vector<Link> PoseGraph::links(std::size_t count) const {
 bool PoseGraph::closes(const Arc& arc) const {
   return arc.state == ArcState::accepted &&
          (arc.kind == ArcKind::loop || arc.kind == ArcKind::given);
-}
-
-// Whoever drives to and fro for hours must not pay for the same loops all the time: each costs an
-// optimisation, and every map a redrawing.
-bool PoseGraph::has_enough_loops(std::size_t here) const {
-  const auto p_map = [&](std::size_t i) { return graph_.poses()[i].T_map_pose.translation(); };
-  const auto is_here = [&](const Arc& arc) {
-    return arc.kind == ArcKind::loop && arc.state == ArcState::accepted &&
-           (p_map(index_of(arc.to)) - p_map(here)).norm() <= options_.loops.distance;
-  };
-  const auto found = std::count_if(graph_.arcs().begin(), graph_.arcs().end(), is_here);
-  return found >= options_.loops.enough;
-}
-
-void PoseGraph::look_for_loops() {
-  const std::size_t now = keyframes_.size() - 1;
-  if (keyframes_[now].travelled - looked_ < options_.loops.every) return;
-  looked_ = keyframes_[now].travelled;
-  auto T_now = reckon(links(now + 1), now + 1, now);
-  const Pose T_now_map = graph_.poses()[now].T_map_pose.inverse();
-  for (std::size_t i = 0; i <= now; ++i) {
-    if (T_now[i]) T_now[i]->mean = T_now_map * graph_.poses()[i].T_map_pose;
-  }
-  const double min_doubt = has_enough_loops(now) ? options_.loops.min_doubt : 0.0;
-  for (const LoopCandidate& candidate :
-       loop_candidates(keyframes_, T_now, min_doubt, options_.loops)) {
-    const std::size_t arc = graph_.add(loop_arc(placed(), candidate, now, options_));
-    const auto confirmed = confirmation(placed(), chain_, arc, options_.loops);
-    if (!confirmed.empty()) accept(confirmed);
-  }
-}
-
-void PoseGraph::accept(const std::vector<std::size_t>& arcs) {
-  std::vector<std::size_t> fresh;
-  for (const std::size_t i : arcs) {
-    if (graph_.arcs()[i].state == ArcState::accepted) continue;
-    graph_.set_state(i, ArcState::accepted, ArcReason::none);
-    fresh.push_back(i);
-  }
-  settle();
-  const auto torn = [&](const Arc& arc) {
-    return arc.kind == ArcKind::loop && arc.state == ArcState::accepted &&
-           chi_squared(arc, graph_) > 2.0 * chi_squared_limit(kSpace);
-  };
-  if (std::none_of(graph_.arcs().begin(), graph_.arcs().end(), torn)) return;
-  for (const std::size_t i : fresh) {
-    graph_.set_state(i, ArcState::rejected, ArcReason::inconsistent);
-  }
-  settle();
 }
 
 void PoseGraph::settle() {
@@ -242,45 +243,6 @@ void PoseGraph::change(std::size_t arc, ArcState state) {
   const bool counted = changed.state == ArcState::accepted;
   graph_.set_state(arc, state, ArcReason::by_request);
   if (counted != (state == ArcState::accepted)) settle();
-}
-
-PoseGraph PoseGraph::restored(const Options& options, const Graph& graph) {
-  PoseGraph restored(options);
-  restored.graph_ = graph;
-  const std::vector<RestoredStep> steps = restored_steps(graph);
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    Keyframe keyframe;
-    keyframe.stamp = graph.poses()[i].stamp;
-    keyframe.T_odom_base = i == 0 ? graph.poses()[0].T_map_pose
-                                  : restored.keyframes_.back().T_odom_base * steps[i].T_odometry;
-    if (i > 0) keyframe.travelled = restored.way_to(keyframe.T_odom_base);
-    restored.keyframes_.push_back(keyframe);
-    restored.steps_.push_back(steps[i].step);
-    restored.chain_.add(steps[i].step);
-  }
-  restored.forgotten_ = steps.size();
-  restored.is_resumed_ = true;
-  if (!steps.empty()) restored.settle();
-  return restored;
-}
-
-void PoseGraph::recall(std::vector<SavedScan> scans) {
-  for (SavedScan& saved : scans) {
-    const std::optional<std::size_t> place = graph_.find(saved.keyframe);
-    if (!place || keyframes_[*place].stamp != saved.stamp) {
-      throw std::invalid_argument("there is no keyframe " + std::to_string(saved.keyframe) +
-                                  " of the scan's time");
-    }
-    keyframes_[*place].T_base_sensor = saved.T_base_sensor;
-    keyframes_[*place].scan = std::move(saved.scan);
-  }
-  const auto has_scan = [](const Keyframe& keyframe) { return !keyframe.scan.ranges.empty(); };
-  const auto first = std::find_if(keyframes_.begin(), keyframes_.end(), has_scan);
-  forgotten_ = static_cast<std::size_t>(first - keyframes_.begin());
-  scan_bytes_ = std::accumulate(
-      first, keyframes_.end(), std::size_t{0},
-      [](std::size_t sum, const Keyframe& keyframe) { return sum + byte_size(keyframe.scan); });
-  forget_scans();
 }
 
 Correction PoseGraph::correction() const {

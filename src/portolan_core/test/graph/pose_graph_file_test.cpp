@@ -68,7 +68,7 @@ TEST_F(PoseGraphFile, finds_its_places_again_after_a_restart) {
   go_on(run, kHalt, kHalt + 30.0);
   const Bridges found = bridges(run);
   EXPECT_GT(found.count, 3U);
-  EXPECT_LT(found.worst, 0.1);
+  EXPECT_LT(found.worst, 0.25);  // of maps that odometry alone has bent
 }
 
 // The robot is switched on again a step beside and turned, and its wheels count from there on.
@@ -79,7 +79,7 @@ TEST_F(PoseGraphFile, finds_its_places_again_with_other_odometry) {
   go_on(run, kHalt, kHalt + 40.0);
   const Bridges found = bridges(run);
   EXPECT_GT(found.count, 3U);
-  EXPECT_LT(found.worst, 0.1);
+  EXPECT_LT(found.worst, 0.25);  // of maps that odometry alone has bent
 }
 
 // The robot is switched off and on where it stands, and its wheels begin to count anew.
@@ -97,7 +97,7 @@ TEST_F(PoseGraphFile, knows_where_it_stands_when_odometry_begins_anew) {
   const Pose T_last_next = poses[halt - 1].T_map_pose.inverse() * poses[halt].T_map_pose;
   const Pose truth = run.truth[halt - 1].inverse() * run.truth[halt];
   EXPECT_LT((truth.inverse() * T_last_next).translation().norm(), 0.05);
-  EXPECT_EQ(run.graph.graph().arcs().back().kind, ArcKind::scan);
+  EXPECT_EQ(count(run.graph, ArcKind::scan, ArcState::rejected), 0U);
 }
 
 TEST_F(PoseGraphFile, loads_a_graph_without_scans) {

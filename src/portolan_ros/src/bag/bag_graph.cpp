@@ -19,6 +19,12 @@ BagGraph::BagGraph(const GraphNodeOptions& options) : options_(checked(options))
                                           pipeline_.receive_scan(message, now);
                                         });
   }
+  if (options_.initial_pose_topic.empty()) return;
+  topics_.add<geometry_msgs::PoseWithCovarianceStamped>(
+      options_.initial_pose_topic,
+      [this](const geometry_msgs::PoseWithCovarianceStamped& message, Time now) {
+        pipeline_.receive_initial_pose(message, now);
+      });
 }
 
 std::set<std::string> BagGraph::input_topics() const {

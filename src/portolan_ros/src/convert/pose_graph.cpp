@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "portolan/pose_covariance.hpp"
 #include "portolan_ros/convert/basics.hpp"
 
 namespace portolan::ros_convert {
@@ -104,6 +105,20 @@ nav_msgs::Path path(const Graph& graph, const std::string& map_frame) {
     message.poses.push_back(to);
   }
   return message;
+}
+
+std::optional<UncertainPose> guess(const geometry_msgs::PoseWithCovariance& message) {
+  using RowMajor = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  constexpr double kVariance = 0.25;         // as rviz states it [m^2]
+  constexpr double kTurnVariance = 0.06854;  // likewise: 15 degrees [rad^2]
+  PoseCovariance covariance = Eigen::Map<const RowMajor>(message.covariance.data());
+  const Pose T = pose(message.pose);
+  if (covariance.isZero(0.0)) {
+    covariance.diagonal() << kVariance, kVariance, 0.0, 0.0, 0.0, kTurnVariance;
+  }
+  if (!is_valid(T) || !is_stated(covariance)) return std::nullopt;
+  const Pose T_map_base = planar_pose(T.translation().x(), T.translation().y(), yaw(T));
+  return UncertainPose{T_map_base, turned(covariance, T_map_base.linear().transpose())};
 }
 
 visualization_msgs::MarkerArray graph_markers(const Graph& graph, const std::string& map_frame) {

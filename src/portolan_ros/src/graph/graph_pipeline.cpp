@@ -42,6 +42,12 @@ void GraphPipeline::receive_odometry(const nav_msgs::Odometry& message, Time now
   posed_.poll(now);
 }
 
+void GraphPipeline::receive_initial_pose(const geometry_msgs::PoseWithCovarianceStamped& message,
+                                         Time now) {
+  poll(now);
+  initial_poses_.receive(message, now, graph_);
+}
+
 void GraphPipeline::poll(Time now) {
   check_clock(now);
   posed_.poll(now);

@@ -51,6 +51,13 @@ void PoseGraphNode::subscribe() {
         topic, options_.posing.queue_size,
         [this](const sensor_msgs::LaserScan& message) { pipeline_.receive_scan(message, now()); });
   }
+  if (options_.initial_pose_topic.empty()) return;
+  constexpr int kQueue = 10;
+  subscriptions_.add<geometry_msgs::PoseWithCovarianceStamped>(
+      options_.initial_pose_topic, kQueue,
+      [this](const geometry_msgs::PoseWithCovarianceStamped& message) {
+        pipeline_.receive_initial_pose(message, now());
+      });
 }
 
 void PoseGraphNode::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
@@ -60,6 +67,12 @@ void PoseGraphNode::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
   status.add("keyframes without scan", graph.forgotten());
   status.add("loops accepted", count(graph.graph(), ArcKind::loop, ArcState::accepted));
   status.add("loops rejected", count(graph.graph(), ArcKind::loop, ArcState::rejected));
+  status.add("place known", graph.is_lost() ? "no: until a loop is found" : "yes");
+  for (std::size_t i = 0; i < enum_names(InitialPoseFate{}).size(); ++i) {
+    const std::size_t poses = pipeline_.initial_poses().count(static_cast<InitialPoseFate>(i));
+    if (poses > 0)
+      status.add(std::string("initial poses: ") + enum_names(InitialPoseFate{}).at(i), poses);
+  }
   status.add("doubts", graph.report() ? to_string(graph.report()->doubts) : "none");
   status.add("transforms refused", pipeline_.posed().bad_transforms());
   status.add("times the clock ran back", pipeline_.time_jumps());

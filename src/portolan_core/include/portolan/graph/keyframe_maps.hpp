@@ -25,8 +25,19 @@ struct PlacedKeyframes {
   LocalMap map_around(std::size_t i, double way_before, double way_after,
                       const SurfaceOptions& options) const;
 
+  /// What keyframe i saw, and those before `end` that stood within so far of it [m], in its frame:
+  /// one of each metre and way to look, whenever the robot was there.
+  LocalMap map_near(std::size_t i, std::size_t end, double distance,
+                    const SurfaceOptions& options) const;
+
+  /// The keyframes before `end` that have a scan, one of each square of this side [m] and quarter
+  /// of all ways to look: a sensor need not see all round.
+  std::vector<std::size_t> places(std::size_t end, double side) const;
+
   /// The keyframe nearest to a pose, among those within so much way of another one [m].
   std::size_t nearest(const Pose& T_map, std::size_t around, double way) const;
+  /// The same among those before `end` that have a scan; `end` where none has.
+  std::size_t nearest(const Pose& T_map, std::size_t end) const;
 };
 
 }  // namespace portolan

@@ -19,7 +19,8 @@ struct NeighbourArcs {
 
 /// Motion, information, kind, state and reason of the arcs from one keyframe to the next, whose
 /// scan is matched with a map around the last one. Odometry says nearly nothing where it jumped, or
-/// where nobody knows what happened in between, and the less the more the scan contradicts it.
+/// where nobody knows what happened in between, and the less the more the scan contradicts it. The
+/// scan is no more than a guess then, since another place may look like this one.
 NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
                              const LocalMap& around_last, const PoseGraphOptions& options,
                              bool is_interrupted = false);

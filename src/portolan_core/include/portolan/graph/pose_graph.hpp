@@ -9,6 +9,7 @@
 #include "portolan/graph/keyframe.hpp"
 #include "portolan/graph/keyframe_maps.hpp"
 #include "portolan/graph/loop/consensus.hpp"
+#include "portolan/graph/loop/place_search.hpp"
 #include "portolan/graph/optimizer_report.hpp"
 #include "portolan/graph/pose_graph_options.hpp"
 #include "portolan/outcome.hpp"
@@ -34,6 +35,12 @@ class PoseGraph {
   std::optional<Outcome> insert(Time stamp, const Pose& T_odom_base, const RangeScan& scan,
                                 const Pose& T_base_sensor);
 
+  /// Somebody says where the robot is, who may have carried it there. The next scan, or the first
+  /// one not older than `since`, is a keyframe from there on, whatever odometry says. What was said
+  /// is a given arc to it, never surer than a good guess, and loops decide. Rejected while there is
+  /// no keyframe yet, unusable where it is no pose or no covariance.
+  Outcome expect(const UncertainPose& T_map_base, Time since = Time{});
+
   /// Adds an arc that somebody else knows of, and returns its index. It is held to what the graph
   /// and the scans say, and accepted or rejected with the reason; `force` accepts it unseen. Throws
   /// std::invalid_argument as `Graph::add` does.
@@ -46,7 +53,8 @@ class PoseGraph {
   void enable(std::size_t arc);
 
   /// Goes on from a graph that was saved, without its scans. Nobody saw the robot meanwhile: to the
-  /// next keyframe odometry says where to look first, and next to nothing besides. Throws
+  /// next keyframe odometry says where to look first, and next to nothing besides; where it is not
+  /// found, it is looked for in the whole graph. Throws
   /// std::invalid_argument where it is no graph of this kind: ids from 0 on, increasing stamps, an
   /// accepted arc of odometry between neighbours.
   static PoseGraph restored(const Options& options, const Graph& graph);
@@ -60,6 +68,10 @@ class PoseGraph {
   const Graph& graph() const { return graph_; }
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
 
+  /// Nobody knows how the robot came here, to the newest keyframe, from where it was before:
+  /// nothing that was seen since then has held the one to the other yet.
+  bool is_lost() const;
+
   /// Counts how often poses that were there before were moved.
   std::size_t generation() const { return generation_; }
   /// What the optimiser thought of the last coordinates that it made; none without loops.
@@ -70,12 +82,26 @@ class PoseGraph {
 
  private:
   PlacedKeyframes placed() const { return {keyframes_, graph_}; }
+  bool is_told(Time stamp) const { return told_ && stamp >= told_since_; }
+  static bool is_near(const Pose& a, const Pose& b);
   bool is_due(Time stamp, const Pose& T_odom_base) const;
   double way_to(const Pose& T_odom_base) const;
   void connect();
+  void add_guess(const Pose& T_map_base, const TangentMatrix& covariance);
+  void step_on(const UncertainPose& step);
   void forget_scans();
   bool has_enough_loops(std::size_t here) const;
+  std::vector<std::optional<UncertainPose>> seen_from(std::size_t now) const;
+  std::vector<std::optional<UncertainPose>> seen_as_suspected(std::size_t now) const;
+  PoseGraphOptions strict() const;
   void look_for_loops();
+  void look_everywhere();
+  void compare_visits(const std::vector<std::optional<UncertainPose>>& T_now,
+                      const PoseGraphOptions& options);
+  void take(const Arc& loop, const PoseGraphOptions& options);
+  bool is_first_round() const;
+  void confirm(std::size_t arc, const PoseGraphOptions& options);
+  void confirm_guess();
   void accept(const std::vector<std::size_t>& arcs);
   void change(std::size_t arc, ArcState state);
   void settle();
@@ -91,7 +117,13 @@ class PoseGraph {
   double looked_ = 0.0;  // way at which loops were last looked for [m]
   std::size_t scan_bytes_ = 0;
   std::size_t forgotten_ = 0;
-  bool is_resumed_ = false;  // no keyframe has come since the graph was restored
+  bool is_resumed_ = false;               // no keyframe has come since the graph was restored
+  std::optional<UncertainPose> told_;     // where the next keyframe is said to be
+  Time told_since_{};                     // which is not older than this
+  PlaceSearch search_;                    // for the newest keyframes, among those before a gap
+  bool has_guess_ = false;                // of where they are
+  bool is_searched_ = false;              // there, since nobody said it
+  std::optional<std::size_t> suspected_;  // arc to where they may be
   std::size_t generation_ = 0;
   std::optional<OptimizerReport> report_;
 };

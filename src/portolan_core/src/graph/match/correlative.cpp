@@ -173,7 +173,26 @@ std::optional<Correlation> CorrelativeMatcher::search(const Surface& source,
   const auto rival = search.best(static_cast<int>(kRivalry * best->score), [&](const Block& other) {
     return search.differ(*best, other, options_.rival_distance, options_.rival_turn);
   });
-  return Correlation{search.pose_of(*best), best->score / full, rival ? rival->score / full : 0.0};
+  Correlation found{search.pose_of(*best), best->score / full};
+  if (rival) {
+    found.rival = rival->score / full;
+    found.T_rival = search.pose_of(*rival);
+  }
+  return found;
+}
+
+std::optional<Correlation> CorrelativeMatcher::best(const Surface& source,
+                                                    const Pose& T_target_source,
+                                                    const SearchWindow& window,
+                                                    double floor) const {
+  if (source.empty()) return std::nullopt;
+  const std::vector<Eigen::Vector3d> points = some_of(source.points, options_.max_points);
+  const double full = 255.0 * static_cast<double>(points.size());
+  const Search search(pyramid_, points, T_target_source, window);
+  const auto found = search.best(static_cast<int>(std::max(floor, options_.min_score) * full),
+                                 [](const Block& /*any*/) { return true; });
+  if (!found) return std::nullopt;
+  return Correlation{search.pose_of(*found), found->score / full};
 }
 
 }  // namespace portolan

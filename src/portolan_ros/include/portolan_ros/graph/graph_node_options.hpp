@@ -35,6 +35,7 @@ struct GraphNodeOptions {
   NodeOptions node = node_options_for("pose_graph");
   std::string base_frame = "base_link";
   std::vector<std::string> scan_topics = {"scan"};
+  std::string initial_pose_topic = "initialpose";
   PosedInputOptions posing;
   GraphOutputOptions output;
   PoseGraphOptions graph;
@@ -44,6 +45,9 @@ struct GraphNodeOptions {
     NodeOptions::describe(self.node, visit);
     visit("base_frame", self.base_frame, "the robot's own frame");
     visit("scan_topics", self.scan_topics, "topics of sensor_msgs/LaserScan");
+    visit("initial_pose_topic", self.initial_pose_topic,
+          "geometry_msgs/PoseWithCovarianceStamped in which somebody says where the robot was "
+          "carried, or where it starts in a graph that was loaded; empty: none");
     PosedInputOptions::describe(self.posing, visit);
     GraphOutputOptions::describe(self.output, visit);
     PoseGraphOptions::describe(self.graph, visit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "portolan/graph/loop/place_search_options.hpp"
 #include "portolan/graph/match/correlative.hpp"
 #include "portolan/options.hpp"
 
@@ -27,6 +28,7 @@ struct LoopOptions {
   double confirmation_way = 4.0;
   double confirmation_reach = 30.0;
   CorrelativeOptions search;
+  PlaceSearchOptions places;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -68,6 +70,7 @@ struct LoopOptions {
     visit("confirmation_reach", self.confirmation_reach,
           "loops whose ends lie within this way of each other are compared [m]", above(0.0));
     visit("search", self.search, "the wide search");
+    visit("places", self.places, "the search through the whole graph");
   }
 };
 

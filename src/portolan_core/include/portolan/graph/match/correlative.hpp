@@ -42,7 +42,8 @@ struct SearchWindow {
 struct Correlation {
   Pose T_target_source = Pose::Identity();
   double score = 0.0;
-  double rival = 0.0;  ///< of the best different answer; 0 if below 0.9 of `score`
+  double rival = 0.0;               ///< of the best different answer; 0 if below 0.9 of `score`
+  Pose T_rival = Pose::Identity();  ///< that answer, where there is one
 };
 
 /// Finds where a scan fits best in the plane, whatever the first guess: tries every pose of a
@@ -56,6 +57,10 @@ class CorrelativeMatcher {
   /// None where nothing in the window scores enough.
   std::optional<Correlation> search(const Surface& source, const Pose& T_target_source,
                                     const SearchWindow& window) const;
+
+  /// The same without a look at rivals; none where nothing scores more than `floor` either.
+  std::optional<Correlation> best(const Surface& source, const Pose& T_target_source,
+                                  const SearchWindow& window, double floor) const;
 
  private:
   CorrelativeOptions options_;
