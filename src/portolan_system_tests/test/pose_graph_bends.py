@@ -1,7 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A robot whose odometry turns too much drives round a block twice: the pose graph finds the loop, and the map bends."""
+import contextlib
+import fcntl
 import math
+import os
+import threading
 
 import rospy
 from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
@@ -51,6 +55,21 @@ def by_hand(frame, pose, variance):
     for i, value in ((0, variance), (7, variance), (35, 0.07)):
         message.pose.covariance[i] = value
     return message
+
+
+@contextlib.contextmanager
+def open_folder(path):
+    """A descriptor of it, closed in the end; locks go with it."""
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        yield descriptor
+    finally:
+        os.close(descriptor)
+
+
+def newest(tfs, child):
+    """Stamp [s] of the last transform of this frame."""
+    return max(t.header.stamp.to_sec() for message in list(tfs) for t in message.transforms if t.child_frame_id == child)
 
 
 def thickness(grid, room):
@@ -107,9 +126,22 @@ class PoseGraphBends(case.NodeCase):
         eventually(lambda: any(t.child_frame_id == "odom" and t.header.frame_id == "map"
                                for message in tfs for t in message.transforms), "the map frame is on tf")
         eventually(lambda: len(paths[-1].poses) == len(graphs[-1].poses) > 80, "the path is that of the keyframes")
+        self.check_tf_goes_on_while_the_node_is_busy(graph, tfs)
         self.check_the_map_bends(graph, grid, corrections, loops)
         self.check_a_false_loop_leaves_no_trace(graph, grid, corrections)
         self.check_a_graph_that_goes_on(graph, robot)
+
+    def check_tf_goes_on_while_the_node_is_busy(self, graph, tfs):
+        """Held up by somebody else's lock on its folder, the node still says where the map is."""
+        directory = self.folder / self.namespace[1:]
+        directory.mkdir(exist_ok=True)
+        saving = threading.Thread(target=graph.call, args=("save",))
+        with open_folder(directory) as folder:
+            fcntl.flock(folder, fcntl.LOCK_EX)
+            saving.start()
+            eventually(lambda: newest(tfs, "odom") > graph.clock() + 1.0, "tf is newer than all else that the node says")
+            self.assertTrue(saving.is_alive())
+        saving.join()
 
     def check_the_map_bends(self, graph, grid, corrections, loops):
         eventually(lambda: grid.values().get("redrawn") == "1", "the map is redrawn")

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/graph/graph_outputs.hpp"
 
-#include <tf2_msgs/TFMessage.h>
-
 #include "portolan_ros/convert/basics.hpp"
 #include "portolan_ros/convert/correction.hpp"
 #include "portolan_ros/convert/pose_graph.hpp"
@@ -25,7 +23,7 @@ GraphOutputs::GraphOutputs(ros::NodeHandle& handle, const GraphNodeOptions& opti
       path_(handle.advertise<nav_msgs::Path>("path", 1, true)),
       graph_(handle.advertise<portolan_msgs::PoseGraph>("pose_graph", 1, true)),
       markers_(handle.advertise<visualization_msgs::MarkerArray>("pose_graph_vis", 1, true)) {
-  if (options.output.publish_tf) tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", 100);
+  if (options.output.publish_tf) tf_.emplace(options.node.map_frame, options.posing.odom_frame);
 }
 
 void GraphOutputs::publish(const ros::Time& stamp) {
@@ -38,6 +36,7 @@ void GraphOutputs::publish(const ros::Time& stamp) {
     correction_.publish(message);
     sent_ = correction;
     sent_version_ = version;
+    if (tf_) tf_->set(last_of(sent_));
   }
   const std::size_t arcs = source_.graph().graph().arcs().size();
   const std::uint32_t listeners =
@@ -47,18 +46,6 @@ void GraphOutputs::publish(const ros::Time& stamp) {
   listeners_ = listeners;
   shown_version_ = version;
   shown_arcs_ = arcs;
-}
-
-void GraphOutputs::publish_tf(const ros::Time& stamp) {
-  if (!tf_ || stamp.isZero() || stamp == sent_tf_) return;
-  sent_tf_ = stamp;
-  tf2_msgs::TFMessage message;
-  message.transforms.resize(1);
-  message.transforms[0].header.stamp = stamp;
-  message.transforms[0].header.frame_id = options_.node.map_frame;
-  message.transforms[0].child_frame_id = options_.posing.odom_frame;
-  message.transforms[0].transform = ros_convert::transform(last_of(sent_));
-  tf_.publish(message);
 }
 
 bool GraphOutputs::drift_changed(const Correction& correction) const {

@@ -36,10 +36,7 @@ PoseGraphNode::PoseGraphNode(const ros::NodeHandle& handle, const ros::NodeHandl
     timers_.push_back(handle_.createWallTimer(
         ros::WallDuration(period), [deed](const ros::WallTimerEvent& /*event*/) { deed(); }));
   };
-  every(kPollPeriod, [this] {
-    pipeline_.poll(now());
-    outputs_.publish_tf(ros::Time::now());
-  });
+  every(kPollPeriod, [this] { pipeline_.poll(now()); });
   every(options_.node.publish_interval, [this] { outputs_.publish(ros::Time::now()); });
   every(options_.node.diagnostic_period, [this] { diagnostics_.force_update(); });
 }

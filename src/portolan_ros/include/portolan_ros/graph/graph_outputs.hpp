@@ -7,8 +7,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
+#include "portolan_ros/graph/drift_tf.hpp"
 #include "portolan_ros/graph/graph_pipeline.hpp"
 
 namespace portolan {
@@ -23,10 +25,6 @@ class GraphOutputs {
   /// Sends what changed since the last time.
   void publish(const ros::Time& stamp);
 
-  /// Where the map is now, to be sent often: others look it up at the time that it is. While the
-  /// clock stands still nothing is sent, since tf knows one transform for each stamp.
-  void publish_tf(const ros::Time& stamp);
-
  private:
   using Version = std::pair<std::size_t, std::size_t>;  // restarts, generation
 
@@ -36,14 +34,13 @@ class GraphOutputs {
 
   GraphNodeOptions options_;
   const GraphPipeline& source_;
+  std::optional<DriftTf> tf_;
   ros::Publisher correction_;
-  ros::Publisher tf_;
   ros::Publisher path_;
   ros::Publisher graph_;
   ros::Publisher markers_;
   Correction sent_;
   Version sent_version_{0, 0};
-  ros::Time sent_tf_;
   std::size_t keyframes_ = 0;
   ros::WallTime since_;  // when the last of these came
   Version shown_version_{0, 0};
