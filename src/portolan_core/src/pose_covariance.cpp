@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "portolan/observation/limits.hpp"
+
 namespace portolan {
 
 PoseCovariance turned(const PoseCovariance& covariance, const Eigen::Matrix3d& R_b_a) {
@@ -25,6 +27,18 @@ bool is_stated(const PoseCovariance& covariance) {
   if (!covariance.isApprox(covariance.transpose(), kRounding)) return false;
   const Eigen::SelfAdjointEigenSolver<PoseCovariance> solver(covariance, Eigen::EigenvaluesOnly);
   return solver.eigenvalues().minCoeff() >= -kRounding * solver.eigenvalues().maxCoeff();
+}
+
+PoseCovariance believable(const PoseCovariance& covariance) {
+  using Deviations = Eigen::Matrix<double, 6, 1>;
+  Deviations widest;
+  widest << Eigen::Vector3d::Constant(kWidestDistance), Eigen::Vector3d::Constant(kWidestAngle);
+  const Deviations stated = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Deviations shrink = widest.cwiseQuotient(stated.cwiseMax(widest));  // at most 1
+  const PoseCovariance bounded = shrink.asDiagonal() * covariance * shrink.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<PoseCovariance> solver(bounded);
+  const PoseCovariance& axes = solver.eigenvectors();
+  return axes * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
 }
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {

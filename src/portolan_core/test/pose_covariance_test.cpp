@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +55,24 @@ TEST(PoseCovariance, ZerosAndNonsenseStateNothing) {
   EXPECT_TRUE(is_stated(planar));
   planar(0, 0) = -1.0;
   EXPECT_FALSE(is_stated(planar)) << "-1 stands for unknown";
+}
+
+TEST(PoseCovariance, WhatCanBeMeantIsBelievedAsItIs) {
+  EXPECT_LT((believable(some()) - some()).norm(), 1e-12);
+}
+
+TEST(PoseCovariance, WhatCannotBeMeantIsBounded) {
+  PoseCovariance wild = PoseCovariance::Zero();
+  wild.diagonal() << 0.1, 0.1, 1e30, 1e6, 1e6, 0.1;
+  wild(0, 1) = wild(1, 0) = 0.1 * (1.0 + 1e-7);  // rounding: a variance below zero along x - y
+  const PoseCovariance bounded = believable(wild);
+  EXPECT_NEAR(bounded(0, 0), 0.1, 1e-3);
+  EXPECT_NEAR(bounded(2, 2), 1e6, 1e-3);
+  EXPECT_NEAR(bounded(3, 3), 3.15 * 3.15, 1e-3);
+  PoseCovariance lopsided = some();
+  lopsided(0, 0) = -1e-9;
+  const Eigen::SelfAdjointEigenSolver<PoseCovariance> solver(believable(lopsided));
+  EXPECT_GE(solver.eigenvalues().minCoeff(), -1e-12);
 }
 
 }  // namespace

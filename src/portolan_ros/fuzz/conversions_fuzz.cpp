@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sensor messages of any content: what a conversion lets through, a mapper takes or refuses.
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "fuzz.hpp"
 #include "portolan/beacon/beacon_mapper.hpp"
@@ -14,36 +14,6 @@
 
 namespace portolan::fuzz {
 namespace {
-
-/// Takes values of any type from the bytes, zeros where they have come to an end.
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-
-  template <class T>
-  T next() {
-    T value{};
-    const std::size_t n = std::min(sizeof(T), size_);
-    if (n > 0) std::memcpy(&value, data_, n);
-    data_ += n;
-    size_ -= n;
-    return value;
-  }
-  template <class T>
-  void fill(T& value) {
-    value = next<T>();
-  }
-  template <class T>
-  std::vector<T> all() {
-    std::vector<T> values;
-    while (size_ >= sizeof(T)) values.push_back(next<T>());
-    return values;
-  }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_;
-};
 
 sensor_msgs::LaserScan scan(Bytes bytes) {
   sensor_msgs::LaserScan message;
@@ -120,9 +90,20 @@ portolan_msgs::BeaconRanges ranges(Bytes bytes) {
 template <class Mapper, class Z>
 void map(const Z& z) {
   typename Mapper::Options options;
-  if constexpr (!std::is_same_v<Mapper, BeaconMapper>) options.resolution = 0.5;
-  Mapper mapper(options);
-  if (mapper.insert(z, Pose::Identity()) != Outcome::unusable) mapper.insert(z, Pose::Identity());
+  options.resolution = 0.5;
+  insert_twice(Mapper(options), z);
+}
+
+bool is_finite(const BeaconEstimate& beacon) {
+  return std::all_of(beacon.modes.begin(), beacon.modes.end(), [](const BeaconMode& mode) {
+    return std::isfinite(mode.weight) && mode.mean.allFinite() && mode.covariance.allFinite();
+  });
+}
+
+void map_beacons(const BeaconRanges& z) {
+  for (const BeaconEstimate& beacon : insert_twice(BeaconMapper({}), z).estimates()) {
+    if (!is_finite(beacon)) fail("a beacon that is nowhere");
+  }
 }
 
 void convert(std::uint8_t kind, Bytes bytes) {
@@ -141,11 +122,12 @@ void convert(std::uint8_t kind, Bytes bytes) {
         map<GridMapper>(sensed->z);
         map<OctoMapper>(sensed->z);
       }
+      if (const auto sensed = ros_convert::organized_cloud(cloud(bytes))) {
+        map<OctoMapper>(sensed->z.cloud);
+      }
       return;
     case 3:
-      if (const auto sensed = ros_convert::beacon_ranges(ranges(bytes))) {
-        map<BeaconMapper>(sensed->z);
-      }
+      if (const auto sensed = ros_convert::beacon_ranges(ranges(bytes))) map_beacons(sensed->z);
       return;
     default:
       try {

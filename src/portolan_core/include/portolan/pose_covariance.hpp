@@ -20,6 +20,10 @@ PoseCovariance carried(const PoseCovariance& covariance, const Eigen::Vector3d& 
 /// True where it says something: finite, symmetric, no variance negative, and not all of it zero.
 bool is_stated(const PoseCovariance& covariance);
 
+/// The same as far as it can be meant: variances no wider than the limits of `limits.hpp`, and
+/// none below zero along any axis, as rounding leaves them. 1e6 for "unknown" is in use.
+PoseCovariance believable(const PoseCovariance& covariance);
+
 /// The matrix of v cross.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "portolan/beacon/expected_information.hpp"
+#include "portolan/observation/limits.hpp"
 
 namespace portolan {
 
@@ -64,7 +65,7 @@ bool BeaconMapper::take(const BeaconRange& z, const Eigen::Vector3d& p_map) {
     track = tracks_.emplace(z.id, BeaconTrack{}).first;
   }
   move_to(p_map);  // not before: what is rejected enters no log, and leaves no trace here
-  const double stated = z.stddev > 0.0 ? z.stddev : options_.stddev;
+  const double stated = std::max(z.stddev > 0.0 ? z.stddev : options_.stddev, kSharpestDistance);
   const PosedRange range{p_map, z.range, noise_ * stated, travel_};
   const CalibrationFactor others = evidence_ - track->second.contribution();
   track->second.update(range, prior_, others, drift_, options_);

@@ -14,7 +14,13 @@ std::int64_t cell_coordinate(double p, double side) {
   return static_cast<std::int64_t>(std::floor(std::clamp(p / side, -kFurthestCell, kFurthestCell)));
 }
 
-std::int64_t cell_key(std::int64_t x, std::int64_t y) { return x * (std::int64_t{1} << 32) + y; }
+LandmarkStore::Square square_of(const Eigen::Vector3d& p_map, double side) {
+  return {cell_coordinate(p_map.x(), side), cell_coordinate(p_map.y(), side)};
+}
+
+std::int64_t key_of(const LandmarkStore::Square& square) {
+  return square.x * (std::int64_t{1} << 32) + square.y;
+}
 
 Eigen::Vector3d standing_place(const Place& place) {
   return place.form == PlaceForm::point ? place.mean
@@ -22,8 +28,7 @@ Eigen::Vector3d standing_place(const Place& place) {
 }
 
 std::int64_t cell_of(const Place& place, double side) {
-  const Eigen::Vector3d p = standing_place(place);
-  return cell_key(cell_coordinate(p.x(), side), cell_coordinate(p.y(), side));
+  return key_of(square_of(standing_place(place), side));
 }
 
 }  // namespace
@@ -65,16 +70,28 @@ void LandmarkStore::moved(LandmarkId id) {
 
 void LandmarkStore::append_near(const Eigen::Vector3d& p_map, double radius,
                                 std::vector<LandmarkId>& ids) const {
-  const std::int64_t left = cell_coordinate(p_map.x() - radius, kCell);
-  const std::int64_t right = cell_coordinate(p_map.x() + radius, kCell);
-  const std::int64_t bottom = cell_coordinate(p_map.y() - radius, kCell);
-  const std::int64_t top = cell_coordinate(p_map.y() + radius, kCell);
-  for (std::int64_t x = left; x <= right; ++x) {
-    for (std::int64_t y = bottom; y <= top; ++y) {
-      const auto cell = cells_.find(cell_key(x, y));
+  const Square from = square_of(p_map.array() - radius, kCell);
+  const Square to = square_of(p_map.array() + radius, kCell);
+  const double squares =
+      static_cast<double>(to.x - from.x + 1) * static_cast<double>(to.y - from.y + 1);
+  if (squares > static_cast<double>(entries_.size())) return append_within(from, to, ids);
+  for (std::int64_t x = from.x; x <= to.x; ++x) {
+    for (std::int64_t y = from.y; y <= to.y; ++y) {
+      const auto cell = cells_.find(key_of({x, y}));
       if (cell != cells_.end()) ids.insert(ids.end(), cell->second.begin(), cell->second.end());
     }
   }
+}
+
+// The same, for a wide part of a small map.
+void LandmarkStore::append_within(const Square& from, const Square& to,
+                                  std::vector<LandmarkId>& ids) const {
+  const std::size_t before = ids.size();
+  for (const auto& [id, entry] : entries_) {
+    const Square s = square_of(standing_place(entry.track.place()), kCell);
+    if (from.x <= s.x && s.x <= to.x && from.y <= s.y && s.y <= to.y) ids.push_back(id);
+  }
+  std::sort(ids.begin() + static_cast<std::ptrdiff_t>(before), ids.end());
 }
 
 }  // namespace portolan

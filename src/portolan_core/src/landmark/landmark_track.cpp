@@ -73,7 +73,8 @@ bool LandmarkTrack::contradict(const Measurement& z, const UncertainSensorPose& 
 void LandmarkTrack::miss(double p_detection) { log_odds_ += std::log1p(-p_detection); }
 
 void LandmarkTrack::absorb(const LandmarkTrack& other) {
-  place_ = fused(place_, other.place_);
+  const Place both = fused(place_, other.place_);
+  if (is_sound(both)) place_ = both;
   sightings_ += other.sightings_;
   log_odds_ += std::max(other.log_odds_, 0.0);
   has_height_ |= other.has_height_;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan/landmark/measurement.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "portolan/observation/limits.hpp"
 
 namespace portolan {
 
@@ -9,8 +12,8 @@ namespace {
 
 double squared(double value) { return value * value; }
 
-double variance(double stated, double otherwise) {
-  return squared(stated > 0.0 ? stated : otherwise);
+double variance(double stated, double otherwise, double sharpest) {
+  return squared(std::max(stated > 0.0 ? stated : otherwise, sharpest));
 }
 
 Eigen::Vector3d unit_vector(double azimuth, double elevation) {
@@ -36,16 +39,18 @@ UncertainSensorPose uncertain(const Pose& T_map_sensor, const std::optional<Pose
   sensor.covariance.diagonal().head<3>().setConstant(squared(options.position_stddev));
   sensor.covariance(5, 5) = squared(options.heading_stddev);
   if (options.stated == StatedCovariance::used && stated && is_stated(*stated))
-    sensor.covariance += turned(*stated, T_map_sensor.linear());
+    sensor.covariance += turned(believable(*stated), T_map_sensor.linear());
   sensor.is_certain = sensor.covariance.isZero(0.0);
   return sensor;
 }
 
 Measurement measurement_of(const LandmarkSighting& sighting, const SightingNoiseOptions& noise) {
-  const double azimuth = variance(sighting.azimuth_stddev, noise.azimuth_stddev);
-  const double elevation = variance(sighting.elevation_stddev, noise.elevation_stddev);
+  const double azimuth = variance(sighting.azimuth_stddev, noise.azimuth_stddev, kSharpestAngle);
+  const double elevation =
+      variance(sighting.elevation_stddev, noise.elevation_stddev, kSharpestAngle);
   const double range = variance(sighting.range_stddev,
-                                noise.range_stddev + noise.range_stddev_per_metre * sighting.range);
+                                noise.range_stddev + noise.range_stddev_per_metre * sighting.range,
+                                kSharpestDistance);
   const bool planar = std::isnan(sighting.elevation);
   if (std::isnan(sighting.range)) {
     if (planar)

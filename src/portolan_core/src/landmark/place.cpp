@@ -8,6 +8,11 @@
 
 namespace portolan {
 
+bool is_sound(const Place& place) {
+  return place.mean.allFinite() && place.covariance.allFinite() &&
+         place.covariance.diagonal().minCoeff() >= 0.0;
+}
+
 Place as_point(const Place& place, double max_depth) {
   if (place.form == PlaceForm::point) return place;
   Eigen::Vector3d x = place.mean;

@@ -137,9 +137,12 @@ Place first_place(const Measurement& measurement, const UncertainSensorPose& sen
 
 void update(Place& place, const Measurement& measurement, const UncertainSensorPose& sensor,
             double trust, const LandmarkOptions& options) {
+  Place updated = place;
   std::visit(
-      [&](const auto& measured) { update_by(measured, sensor, trust, options.filter, place); },
+      [&](const auto& measured) { update_by(measured, sensor, trust, options.filter, updated); },
       measurement);
+  if (!is_sound(updated)) return;
+  place = updated;
   if (place.form == PlaceForm::point) return;
   const bool has_range = shown_point(measurement, sensor.T_map_sensor).has_value();
   const double index = InverseDepth::linearity_index(

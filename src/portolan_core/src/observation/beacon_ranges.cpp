@@ -2,13 +2,13 @@
 #include "portolan/observation/beacon_ranges.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "portolan/observation/limits.hpp"
 
 namespace portolan {
 
 bool is_usable(const BeaconRange& range) {
-  return std::isfinite(range.range) && range.range > 0.0 && std::isfinite(range.stddev) &&
-         range.stddev >= 0.0;
+  return is_distance(range.range) && is_deviation(range.stddev, kWidestDistance);
 }
 
 bool is_usable(const BeaconRanges& ranges) {

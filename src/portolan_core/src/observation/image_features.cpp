@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "portolan/observation/limits.hpp"
+
 namespace portolan {
 
 bool is_usable(const ImageFeature& feature) {
-  return std::isfinite(feature.u) && std::isfinite(feature.v);
+  return std::abs(feature.u) <= kFurthestPixel && std::abs(feature.v) <= kFurthestPixel;
 }
 
 bool is_usable(const ImageFeatures& z) {

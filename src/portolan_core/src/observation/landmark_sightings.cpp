@@ -4,20 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "portolan/observation/limits.hpp"
+
 namespace portolan {
 
-namespace {
-
-bool is_deviation(double stddev) { return std::isfinite(stddev) && stddev >= 0.0; }
-
-}  // namespace
-
 bool is_usable(const LandmarkSighting& sighting) {
-  const bool range_fits =
-      std::isnan(sighting.range) || (std::isfinite(sighting.range) && sighting.range > 0.0);
+  const bool range_fits = std::isnan(sighting.range) || is_distance(sighting.range);
   return range_fits && std::isfinite(sighting.azimuth) && !std::isinf(sighting.elevation) &&
-         is_deviation(sighting.range_stddev) && is_deviation(sighting.azimuth_stddev) &&
-         is_deviation(sighting.elevation_stddev);
+         is_deviation(sighting.range_stddev, kWidestDistance) &&
+         is_deviation(sighting.azimuth_stddev, kWidestAngle) &&
+         is_deviation(sighting.elevation_stddev, kWidestAngle);
 }
 
 bool is_usable(const LandmarkSightings& z) {

@@ -218,6 +218,22 @@ TEST(BeaconMapper, MalformedRangesAreUnusableAndCounted) {
   EXPECT_EQ(mapper.tracks().size(), 1u);
 }
 
+TEST(BeaconMapper, NumbersOfAnySizeLeaveAMapOfNumbers) {
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    Dice dice(seed);
+    const auto any = [&] { return std::pow(10.0, 15.0 * dice.normal(1.0)); };
+    BeaconMapper mapper(BeaconOptions{});
+    for (int i = 0; i < 6; ++i) {
+      mapper.insert(one_range(dice.normal(1.0) > 0.0 ? 1 : 2, any(), any()),
+                    antenna_at({0.5 * i, 0.1 * i * i, 0.0}));
+    }
+    for (const BeaconEstimate& beacon : mapper.estimates()) {
+      EXPECT_TRUE(beacon.modes[0].mean.allFinite()) << seed;
+      EXPECT_TRUE(beacon.modes[0].covariance.allFinite()) << seed;
+    }
+  }
+}
+
 TEST(BeaconMapper, ThousandsOfIdsAreCappedAndCounted) {
   BeaconOptions options = calibrated();
   options.max_beacons = 10;

@@ -110,6 +110,28 @@ TEST(LandmarkMapper, TakesTheGoodAndCountsTheMalformed) {
   EXPECT_EQ(mapper.estimates().size(), 1u);
 }
 
+TEST(LandmarkMapper, NumbersOfAnySizeLeaveAMapOfNumbers) {
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    Dice dice(seed);
+    const auto any = [&] { return std::pow(10.0, 15.0 * dice.normal(1.0)); };
+    LandmarkOptions options;
+    options.pose.stated = StatedCovariance::used;
+    LandmarkMapper mapper(options);
+    for (int i = 0; i < 6; ++i) {
+      LandmarkSighting seen = sighting(-1, any(), any());
+      seen.range_stddev = any();
+      seen.azimuth_stddev = any();
+      LandmarkSightings z = sightings({seen, sighting(-1, 3.0, 0.1)});
+      z.pose_covariance = any() * PoseCovariance::Identity();
+      mapper.insert(z, planar_pose(0.3 * i, 0.0, 0.1 * i));
+    }
+    for (const LandmarkEstimate& e : mapper.estimates()) {
+      EXPECT_TRUE(e.mean.allFinite()) << seed;
+      EXPECT_TRUE(e.covariance.allFinite()) << seed;
+    }
+  }
+}
+
 TEST(LandmarkMapper, ImagesWithoutFocalLengthAreUnusable) {
   LandmarkMapper mapper{LandmarkOptions{}};
   ImageFeatures z;

@@ -25,6 +25,12 @@ class LandmarkStore {
     std::int64_t cell = 0;
   };
 
+  /// A square of the grid that finds landmarks by where they stand.
+  struct Square {
+    std::int64_t x;
+    std::int64_t y;
+  };
+
   std::size_t size() const { return entries_.size(); }
   bool has(LandmarkId id) const { return entries_.count(id) > 0; }
   Entry& at(LandmarkId id) { return entries_.at(id); }
@@ -50,6 +56,8 @@ class LandmarkStore {
   void append_near(const Eigen::Vector3d& p_map, double radius, std::vector<LandmarkId>& ids) const;
 
  private:
+  void append_within(const Square& from, const Square& to, std::vector<LandmarkId>& ids) const;
+
   static constexpr double kCell = 2.0;  // [m]
 
   std::unordered_map<LandmarkId, Entry> entries_;

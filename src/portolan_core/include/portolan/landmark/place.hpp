@@ -24,6 +24,9 @@ struct Place {
   Pose T_map_ray = Pose::Identity();  ///< of a ray: where it was first seen from, x along the ray
 };
 
+/// False where rounding has left nothing of a place that extreme numbers went into.
+bool is_sound(const Place& place);
+
 /// The same place as a point: Eq. 30 and its linearisation. A ray whose depth is not below
 /// `max_depth` [m], or beyond infinity, gives the point at that depth.
 Place as_point(const Place& place, double max_depth);

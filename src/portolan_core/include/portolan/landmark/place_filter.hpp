@@ -47,7 +47,8 @@ Place first_place(const Measurement& measurement, const UncertainSensorPose& sen
 
 /// The place given a further measurement: Eqs. 23-24 and 34-35, or the unscented transform. The
 /// measurement's variance is divided by `trust`, in (0, 1]. Becomes a point where the depth is
-/// good enough. `measurement` must fit in the sense of `fit`.
+/// good enough; stays as it is where the outcome is not sound. `measurement` must fit in the sense
+/// of `fit`.
 void update(Place& place, const Measurement& measurement, const UncertainSensorPose& sensor,
             double trust, const LandmarkOptions& options);
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "portolan/observation/limits.hpp"
 #include "portolan/observation/pinhole_camera.hpp"
 
 namespace portolan {
@@ -17,8 +18,10 @@ struct PointModel {
   using Vector = Eigen::Matrix<double, kSize, 1>;
   using Jacobian = Eigen::Matrix<double, kSize, 3>;
 
-  /// Not where its azimuth is undefined.
-  static bool sees(const Eigen::Vector3d& l) { return l.head<2>().squaredNorm() > 0.0; }
+  /// Not where its azimuth is undefined, or as good as that.
+  static bool sees(const Eigen::Vector3d& l) {
+    return l.head<2>().squaredNorm() >= kSharpestDistance * kSharpestDistance;
+  }
 };
 
 /// Range and azimuth in the sensor's xy plane: the planar scanner of Eq. 18.
@@ -53,7 +56,7 @@ struct DirectionModel : PointModel<2, true> {
 struct PixelModel : PointModel<2, true> {
   PinholeCamera camera;
 
-  static bool sees(const Eigen::Vector3d& l) { return l.z() > 0.0; }
+  static bool sees(const Eigen::Vector3d& l) { return l.z() >= kSharpestDistance; }
   Vector h(const Eigen::Vector3d& l) const;
   Jacobian H(const Eigen::Vector3d& l) const;
   static Vector difference(const Vector& a, const Vector& b) { return a - b; }

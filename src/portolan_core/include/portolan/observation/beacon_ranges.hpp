@@ -19,7 +19,8 @@ struct BeaconRanges {
   std::vector<BeaconRange> ranges;
 };
 
-/// True where the range is finite and positive, and the deviation finite and not negative.
+/// True where the range is positive, the deviation not negative, and both within the limits of
+/// `limits.hpp`.
 bool is_usable(const BeaconRange& range);
 
 /// True unless every range is malformed: the good ones are used, the others counted. No range at

@@ -29,7 +29,7 @@ struct ImageFeatures {
   std::optional<PoseCovariance> pose_covariance = std::nullopt;
 };
 
-/// True where both pixels are finite.
+/// True where both pixels are finite and within the limits of `limits.hpp`.
 bool is_usable(const ImageFeature& feature);
 
 /// True where the camera is usable and not every feature is malformed.

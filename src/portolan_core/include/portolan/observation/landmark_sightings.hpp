@@ -32,8 +32,8 @@ struct LandmarkSightings {
   std::optional<PoseCovariance> pose_covariance = std::nullopt;
 };
 
-/// True where the azimuth is finite, range (above 0) and elevation are finite or NaN, and no
-/// deviation is negative.
+/// True where the azimuth is finite, range (above 0) and elevation are finite or NaN, no deviation
+/// is negative, and all is within the limits of `limits.hpp`.
 bool is_usable(const LandmarkSighting& sighting);
 
 /// True unless every sighting is malformed: the good ones are used, the others counted. No sighting

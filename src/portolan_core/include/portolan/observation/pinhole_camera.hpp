@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "portolan/observation/limits.hpp"
+
 namespace portolan {
 
 /// How a rectified camera draws: u = fx x / z + cx, v = fy y / z + cy, with x right, y down and
@@ -14,10 +16,12 @@ struct PinholeCamera {
   double cy = 0.0;  ///< row of the optical axis; the centre of the top row is 0 [pixel]
 };
 
-/// True where all is finite and both focal lengths are above 0.
+/// True where both focal lengths are above 0, and all is a number that a camera can have.
 inline bool is_usable(const PinholeCamera& camera) {
-  return std::isfinite(camera.fx) && std::isfinite(camera.fy) && camera.fx > 0.0 &&
-         camera.fy > 0.0 && std::isfinite(camera.cx) && std::isfinite(camera.cy);
+  constexpr double kLeastFocalLength = 1e-3;  // 1 where images are normalised
+  const auto is_pixel = [](double value) { return std::abs(value) <= kFurthestPixel; };
+  return camera.fx >= kLeastFocalLength && camera.fy >= kLeastFocalLength && is_pixel(camera.fx) &&
+         is_pixel(camera.fy) && is_pixel(camera.cx) && is_pixel(camera.cy);
 }
 
 }  // namespace portolan
