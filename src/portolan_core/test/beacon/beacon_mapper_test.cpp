@@ -225,7 +225,7 @@ TEST(BeaconMapper, NumbersOfAnySizeLeaveAMapOfNumbers) {
     BeaconMapper mapper(BeaconOptions{});
     for (int i = 0; i < 6; ++i) {
       mapper.insert(one_range(dice.normal(1.0) > 0.0 ? 1 : 2, any(), any()),
-                    antenna_at({0.5 * i, 0.1 * i * i, 0.0}));
+                    antenna_at(0.5 * i, 0.1 * i * i));
     }
     for (const BeaconEstimate& beacon : mapper.estimates()) {
       EXPECT_TRUE(beacon.modes[0].mean.allFinite()) << seed;
