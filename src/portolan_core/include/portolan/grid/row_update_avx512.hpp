@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 
 #include "portolan/grid/row_vectors.hpp"
 #include "portolan/grid/tile_map.hpp"
@@ -39,7 +38,9 @@ class RowUpdate<EightRows> {
   /// by shuffles, which compilers prefer.
   class Bits {
    public:
-    explicit Bits(Words words) { std::memcpy(words_.data(), &words, sizeof(words)); }
+    [[gnu::target("avx512f,avx512bw")]] explicit Bits(Words words) {
+      _mm512_storeu_si512(words_.data(), reinterpret_cast<__m512i>(words));
+    }
     std::uint64_t operator[](int i) const {
       return static_cast<const volatile std::uint64_t*>(words_.data())[i];
     }
