@@ -2,13 +2,15 @@
 #include "portolan/observation/beacon_ranges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "portolan/observation/limits.hpp"
 
 namespace portolan {
 
 bool is_usable(const BeaconRange& range) {
-  return is_distance(range.range) && is_deviation(range.stddev, kWidestDistance);
+  return std::isfinite(range.range) && range.range >= kSharpestDistance &&
+         is_deviation(range.stddev, kWidestDistance);
 }
 
 bool is_usable(const BeaconRanges& ranges) {

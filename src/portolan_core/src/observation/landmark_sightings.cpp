@@ -9,7 +9,8 @@
 namespace portolan {
 
 bool is_usable(const LandmarkSighting& sighting) {
-  const bool range_fits = std::isnan(sighting.range) || is_distance(sighting.range);
+  const bool range_fits = std::isnan(sighting.range) || (sighting.range >= kSharpestDistance &&
+                                                         sighting.range <= kFurthestReading);
   return range_fits && std::isfinite(sighting.azimuth) && !std::isinf(sighting.elevation) &&
          is_deviation(sighting.range_stddev, kWidestDistance) &&
          is_deviation(sighting.azimuth_stddev, kWidestAngle) &&

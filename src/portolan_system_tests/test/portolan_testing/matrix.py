@@ -53,6 +53,8 @@ DIFFERS = {
     ("landmarks", "malformed_sizes"): (GAP, {"sightings": None, "images": None, "calibrations": None}, CUT_ONLY),
     ("landmarks", "negative_covariance"): (None, {"images": None, "calibrations": None}, "images have none"),
     ("landmarks", "nan_covariance"): (None, {"images": None, "calibrations": None}, "images have none"),
+    ("landmarks", "coordinates_of_1e30"): (GAP, {noun: "malformed" for noun in ("sightings", "images", "calibrations")},
+                                           "counts them as malformed"),
     ("beacons", "empty_messages"): NO_LIST,
     ("beacons", "malformed_sizes"): (GAP, {"rangings": None}, CUT_ONLY),
     ("beacons", "coordinates_of_1e30"): (GAP, {"rangings": "rejected"}, "counts them as too long"),

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "portolan/observation/limits.hpp"
 #include "portolan/options.hpp"
 
 namespace portolan {
@@ -40,7 +41,8 @@ struct RangeOutlierOptions {
           "P(a wrong range is too long because the signal took a detour); the rest are anywhere",
           within(0.0, 1.0));
     visit("late_mean", self.late_mean, "mean length of that detour [m]", above(0.0));
-    visit("max_range", self.max_range, "longer ranges are dropped [m]", above(0.0));
+    visit("max_range", self.max_range, "longer ranges are dropped [m]",
+          above_to(0.0, kFurthestReading));
   }
 };
 

@@ -19,8 +19,8 @@ struct BeaconRanges {
   std::vector<BeaconRange> ranges;
 };
 
-/// True where the range is positive, the deviation not negative, and both within the limits of
-/// `limits.hpp`.
+/// True where the range is finite and positive, the deviation not negative, and neither beyond the
+/// limits of `limits.hpp`; whether the range is too long is for the mapper to say.
 bool is_usable(const BeaconRange& range);
 
 /// True unless every range is malformed: the good ones are used, the others counted. No range at

@@ -14,14 +14,9 @@ constexpr double kWidestAngle = 3.15;     ///< deviation of an angle; more is an
 constexpr double kSharpestDistance = 1e-4;  ///< [m]
 constexpr double kSharpestAngle = 1e-6;     ///< [rad]
 
-/// True where two different things can lie so far apart [m].
-constexpr bool is_distance(double range) {
-  return range >= kSharpestDistance && range <= kFurthestReading;  // false of what is not a number
-}
-
 /// True where it is a deviation, in the same units as `widest`; 0 says that it is unknown.
 constexpr bool is_deviation(double stddev, double widest) {
-  return stddev >= 0.0 && stddev <= widest;
+  return stddev >= 0.0 && stddev <= widest;  // false of what is not a number
 }
 
 }  // namespace portolan
