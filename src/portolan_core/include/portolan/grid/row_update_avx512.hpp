@@ -39,7 +39,10 @@ class RowUpdate<EightRows> {
   class Bits {
    public:
     [[gnu::target("avx512f,avx512bw")]] explicit Bits(Words words) {
-      _mm512_storeu_si512(words_.data(), reinterpret_cast<__m512i>(words));
+      // gcc 12's AddressSanitizer does not keep the alignment that gcc then counts on.
+      void* to = words_.data();
+      asm("" : "+r"(to));
+      _mm512_storeu_si512(to, reinterpret_cast<__m512i>(words));
     }
     std::uint64_t operator[](int i) const {
       return static_cast<const volatile std::uint64_t*>(words_.data())[i];
