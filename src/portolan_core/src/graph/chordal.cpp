@@ -33,17 +33,17 @@ Equations equations(const Problem<SpatialMotion>& problem,
   Equations sum(problem);
   for (const auto& term : problem.terms) {
     const double weight = SpatialMotion::turn_weight(term.information);
-    const Turn w_Z = weight * term.measured.R;
+    const Turn weighted = weight * term.measured.R;
     const int from = problem.node[term.from];
     const int to = problem.node[term.to];
     if (from >= 0) sum.H.diagonal[at(from)].diagonal().array() += weight;
     if (to >= 0) sum.H.diagonal[at(to)].diagonal().array() += weight;
     if (term.pair >= 0) {
-      sum.H.beside[at(term.pair)] -= term.swapped ? Turn(w_Z.transpose()) : w_Z;
+      sum.H.beside[at(term.pair)] -= term.swapped ? Turn(weighted.transpose()) : weighted;
     } else if (to >= 0) {
-      sum.pull(to, w_Z.transpose() * states[term.from].R.transpose());
+      sum.pull(to, weighted.transpose() * states[term.from].R.transpose());
     } else if (from >= 0) {
-      sum.pull(from, w_Z * states[term.to].R.transpose());
+      sum.pull(from, weighted * states[term.to].R.transpose());
     }
   }
   return sum;

@@ -22,6 +22,8 @@ namespace portolan {
 class DriftTf {
  public:
   DriftTf(std::string map_frame, std::string odom_frame);
+  DriftTf(const DriftTf&) = delete;  // its thread calls back into this object
+  DriftTf& operator=(const DriftTf&) = delete;
 
   /// From now on odometry lies here; before the first call, at identity.
   void set(const Pose& T_map_odom);
