@@ -70,6 +70,8 @@ class GridFaults(case.NodeCase):
         before = {topic: node.wait_for(noun, received=robot.sent.get(topic, 0), waiting=0)
                   for topic, noun in NOUNS.items()}
         robot.tick(stamp)
+        # What comes before the node hears of that time has waited for twenty seconds as soon as it does.
+        eventually(lambda: node.clock() == stamp, lambda: f"the node's clock is at {stamp}, not {node.clock()}")
         sent = dict(robot.sent)
         robot.look_around(ROOM, [stamp + 0.01 * i for i in range(12)])
         for topic, noun in NOUNS.items():
