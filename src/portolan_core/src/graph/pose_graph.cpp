@@ -16,8 +16,6 @@ namespace {
 
 constexpr GraphSpace kSpace = GraphSpace::planar;
 
-std::size_t index_of(PoseId id) { return static_cast<std::size_t>(id); }
-
 // What is said by hand is never surer than this [m^2, rad^2].
 constexpr double kLeastVariance = 0.25 * 0.25;
 constexpr double kLeastTurnVariance = 0.1 * 0.1;

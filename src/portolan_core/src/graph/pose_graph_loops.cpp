@@ -10,8 +10,6 @@ namespace {
 
 constexpr GraphSpace kSpace = GraphSpace::planar;
 
-std::size_t index_of(PoseId id) { return static_cast<std::size_t>(id); }
-
 double chi_squared(const Arc& arc, const Graph& graph) {
   const Pose T = graph.at(arc.from).T_map_pose.inverse() * graph.at(arc.to).T_map_pose;
   const Tangent r = small_motion(arc.T_from_to.inverse() * T);

@@ -6,6 +6,7 @@
 
 #include "portolan/grid/draw.hpp"
 #include "portolan/grid/fine_grid.hpp"
+#include "portolan/observation/limits.hpp"
 
 namespace portolan {
 
@@ -64,10 +65,9 @@ std::vector<Trace> traces(const PointCloud& cloud, const Pose& T_map_sensor,
     const auto trace = slicer.trace(R * ray_sensor, returned);
     if (trace) traces.push_back(*trace);
   };
-  constexpr double kFurthest = 1e6;  // what claims to be further away was not measured [m]
   for (const Eigen::Vector3f& p : cloud.points) {
     const Eigen::Vector3d ray = p.cast<double>();
-    if (ray.norm() < kFurthest) add(ray, true);  // false for NaN too
+    if (ray.norm() < kFurthestReading) add(ray, true);  // false for NaN too
   }
   if (options.cloud.no_return == NoReturn::clear) {
     for (const Eigen::Vector3f& direction : cloud.no_returns) {

@@ -10,6 +10,9 @@
 
 namespace portolan {
 
+/// Where a keyframe of this id stands among all of a pose graph, which counts them from 0.
+inline std::size_t index_of(PoseId id) { return static_cast<std::size_t>(id); }
+
 /// Keyframes at the poses that a graph gives them; what is asked of both together.
 /// Keyframe i is the pose of id i.
 struct PlacedKeyframes {

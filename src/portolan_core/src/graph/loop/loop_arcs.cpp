@@ -10,8 +10,6 @@ namespace {
 
 constexpr GraphSpace kSpace = GraphSpace::planar;
 
-std::size_t index_of(PoseId id) { return static_cast<std::size_t>(id); }
-
 // Loops near enough to say something of another one.
 std::vector<std::size_t> loops_near(const PlacedKeyframes& placed, const Arc& own, double reach) {
   const auto near = [&](PoseId a, PoseId b) {
