@@ -8,6 +8,7 @@
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <vector>
 
@@ -100,6 +101,7 @@ std::function<Places()> mrpt_beacons(const BeaconWorkload& load) {
 
 BeaconWorkload beacon_rawlog(const std::string& path, const std::vector<Pose>& poses) {
   CRawlog log;
+  if (!std::filesystem::is_regular_file(path)) throw std::runtime_error(path + ": no such file");
   if (!log.loadFromRawLogFile(path)) throw std::runtime_error(path + ": no rawlog");
   BeaconWorkload load;
   mrpt::poses::CPose3D base;

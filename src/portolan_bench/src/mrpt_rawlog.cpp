@@ -7,6 +7,7 @@
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -43,6 +44,7 @@ RangeScan range_scan(const CObservation2DRangeScan& from) {
 
 std::vector<RawlogScan> read_rawlog(const std::string& path) {
   CRawlog log;
+  if (!std::filesystem::is_regular_file(path)) throw std::runtime_error(path + ": no such file");
   if (!log.loadFromRawLogFile(path)) throw std::runtime_error(path + ": no rawlog");
   std::vector<RawlogScan> scans;
   Pose T_odom_base = Pose::Identity();

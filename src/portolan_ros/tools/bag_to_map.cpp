@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 #include <iostream>
 
+#include "portolan_ros/bag/assignments.hpp"
 #include "portolan_ros/bag/bag_run.hpp"
 #include "portolan_ros/report.hpp"
 
@@ -11,8 +12,14 @@ namespace {
 
 namespace po = boost::program_options;
 
+constexpr const char* kWantsBag = "name a bag; --help says more";
+
 po::options_description described() {
-  po::options_description options("usage: bag_to_map [options] BAG...\noptions");
+  po::options_description options(
+      "usage: bag_to_map [options] [name:=value...] BAG...\n"
+      "Draws maps of recordings, with pictures. Your topics and frames, and any other parameter,\n"
+      "are said as to the nodes: scan:=/front/scan odom_frame:=robot/odom resolution:=0.1\n"
+      "options");
   auto add = options.add_options();
   add("help,h", "say this");
   add("config", po::value<std::vector<std::string>>()->composing(),
@@ -34,8 +41,11 @@ std::vector<std::string> split(const std::string& list) {
 
 portolan::BagRun what_to_run(const po::variables_map& arguments) {
   portolan::BagRun what;
-  if (arguments.count("bag") == 0) throw std::invalid_argument("name a bag; --help says more");
-  what.bags = arguments["bag"].as<std::vector<std::string>>();
+  if (arguments.count("bag") == 0) throw std::invalid_argument(kWantsBag);
+  for (const std::string& word : arguments["bag"].as<std::vector<std::string>>()) {
+    (portolan::Assignments::is_one(word) ? what.assignments : what.bags).push_back(word);
+  }
+  if (what.bags.empty()) throw std::invalid_argument(kWantsBag);
   if (arguments.count("config") > 0) {
     what.configs = arguments["config"].as<std::vector<std::string>>();
   }

@@ -143,11 +143,14 @@ portolan::FileSet figure_12() {
   return files;
 }
 
+constexpr const char* kUsage =
+    "usage: draw_beacon_figures FOLDER\n"
+    "Draws the panels of the chapter's Figures 11 and 12.\n";
+
 }  // namespace
 
-/// Draws the panels of the chapter's Figures 11 and 12 into a folder.
 int main(int argc, char** argv) try {
-  if (argc != 2) throw std::invalid_argument("usage: draw_beacon_figures FOLDER");
+  if (const auto code = portolan::exit_with_usage(argc, argv, 1, 1, kUsage)) return *code;
   portolan::FileSet files = figure_11();
   files.merge(figure_12());
   std::filesystem::create_directories(argv[1]);

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// draw_graph IN.g2o FOLDER: the accepted arcs of a pose graph in two pictures, NAME_tree.png with
-// the coordinates of its spanning tree (Figure 5a of the chapter) and NAME_consistent.png with
-// those that contradict the arcs least.
 #include <filesystem>
 #include <stdexcept>
 
@@ -22,10 +19,15 @@ portolan::Graph accepted_of(const portolan::Graph& graph) {
   return accepted;
 }
 
+constexpr const char* kUsage =
+    "usage: draw_graph IN.g2o FOLDER\n"
+    "Draws a pose graph twice: NAME_tree.png with the coordinates of its spanning tree, and\n"
+    "NAME_consistent.png with those that contradict its arcs least.\n";
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 3) throw std::invalid_argument("usage: draw_graph IN.g2o FOLDER");
+  if (const auto code = portolan::exit_with_usage(argc, argv, 2, 2, kUsage)) return *code;
   const std::filesystem::path in = argv[1];
   const std::string name = in.stem();
   portolan::Graph graph = accepted_of(portolan::load_graph(in));

@@ -29,11 +29,14 @@ FileSet pictures_of(const std::filesystem::path& folder) {
   return Kind::pictures(Kind::load(folder, Kind::kFileName, options), Kind::kFileName, {});
 }
 
+constexpr const char* kUsage =
+    "usage: draw_maps FOLDER OUT_FOLDER\n"
+    "Draws the maps that nodes have saved into a folder, one picture for each.\n";
+
 }  // namespace
 
-/// Draws the maps that nodes have saved into a folder, one picture for each.
 int main(int argc, char** argv) try {
-  if (argc != 3) throw std::invalid_argument("usage: draw_maps FOLDER OUT_FOLDER");
+  if (const auto code = exit_with_usage(argc, argv, 2, 2, kUsage)) return *code;
   FileSet pictures;
   for_each_kind([&](auto kind) { pictures.merge(pictures_of<decltype(kind)>(argv[1])); });
   if (pictures.empty()) throw std::runtime_error(std::string(argv[1]) + ": holds no maps");

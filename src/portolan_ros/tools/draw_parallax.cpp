@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <stdexcept>
@@ -87,14 +88,18 @@ void write(const std::string& path, const Picture& picture) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
+constexpr const char* kUsage =
+    "usage: draw_parallax FOLDER\n"
+    "Draws Figure 10 of the chapter: one sighting, little parallax, much parallax.\n";
+
 }  // namespace
 }  // namespace portolan
 
-/// Draws Figure 10 of the chapter into a folder: one sighting, little parallax, much parallax.
 int main(int argc, char** argv) try {
   using portolan::parallax;
-  if (argc != 2) throw std::invalid_argument("usage: draw_parallax FOLDER");
+  if (const auto code = portolan::exit_with_usage(argc, argv, 1, 1, portolan::kUsage)) return *code;
   const std::string folder = argv[1];
+  std::filesystem::create_directories(folder);
   portolan::write(folder + "/figure_10_first.png", parallax({0.0, 0.0, 0.0}, 1));
   portolan::write(folder + "/figure_10_small.png", parallax({0.25, 0.0, 0.0}, 5));
   portolan::write(folder + "/figure_10_large.png", parallax({0.0, -0.25, 0.0}, 5));

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// optimize_graph IN.g2o [OUT.g2o]: moves the poses of a graph to where its arcs agree best. Exits
-// with 2 where it doubts the result, which is written all the same.
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -18,13 +16,16 @@ void save(const portolan::Graph& graph, const std::filesystem::path& path) {
   portolan::save_files(folder, {{path.filename(), portolan::to_g2o(graph)}});
 }
 
+constexpr const char* kUsage =
+    "usage: optimize_graph IN.g2o [OUT.g2o]\n"
+    "Moves the poses of a graph to where its arcs agree best. Exits with 2 where it doubts the "
+    "result,\n"
+    "which is written all the same.\n";
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc < 2 || argc > 3) {
-    std::cerr << "usage: optimize_graph IN.g2o [OUT.g2o]\n";
-    return 1;
-  }
+  if (const auto code = portolan::exit_with_usage(argc, argv, 1, 2, kUsage)) return *code;
   portolan::Graph graph = portolan::load_graph(argv[1]);
   const auto start = std::chrono::steady_clock::now();
   const portolan::OptimizerReport report = portolan::GraphOptimizer().optimize(graph);

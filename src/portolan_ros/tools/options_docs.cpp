@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <stdexcept>
+#include <string>
 
 #include "portolan_ros/graph/graph_node_options.hpp"
 #include "portolan_ros/kinds/for_each_kind.hpp"
@@ -7,9 +7,16 @@
 #include "portolan_ros/options_page.hpp"
 #include "portolan_ros/report.hpp"
 
-/// Writes a YAML file of defaults for each mapper into a folder, and their tables to stdout.
+namespace {
+
+constexpr const char* kUsage =
+    "usage: options_docs CONFIG_FOLDER > parameters.md\n"
+    "Writes a YAML file of defaults for each mapper into a folder, and their tables to stdout.\n";
+
+}  // namespace
+
 int main(int argc, char** argv) try {
-  if (argc != 2) throw std::invalid_argument("usage: options_docs CONFIG_FOLDER > parameters.md");
+  if (const auto code = portolan::exit_with_usage(argc, argv, 1, 1, kUsage)) return *code;
   const std::string folder = argv[1];
   portolan::for_each_kind([&folder](auto kind) {
     using Kind = decltype(kind);

@@ -55,14 +55,16 @@ void print_row(const std::string& name, const portolan::GridScore& score) {
               score.free_precision.value(), score.free_recall.value());
 }
 
+constexpr const char* kUsage =
+    "usage: score_grid NAME MAP.yaml TRUTH.yaml VIEW.yaml OUT.png\n"
+    "Compares a grid with the true one, of which VIEW is what could be seen: prints a row of a "
+    "Markdown\n"
+    "table (precision and recall of occupied cells, and of free ones), and draws what differs.\n";
+
 }  // namespace
 
-/// Prints a row of a Markdown table: name, precision and recall of occupied cells, and of free
-/// ones; and writes a picture of what differs.
 int main(int argc, char** argv) try {
-  if (argc != 6) {
-    throw std::invalid_argument("usage: score_grid NAME MAP.yaml TRUTH.yaml VIEW.yaml OUT.png");
-  }
+  if (const auto code = portolan::exit_with_usage(argc, argv, 5, 5, kUsage)) return *code;
   const GridMapper map = load(argv[2]);
   const GridMapper truth = load(argv[3]);
   const GridMapper view = load(argv[4]);

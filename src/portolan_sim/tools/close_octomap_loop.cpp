@@ -83,15 +83,18 @@ FileSet files_of(const OctoMapper& map, const std::string& name,
   return files;
 }
 
+constexpr const char* kUsage =
+    "usage: close_octomap_loop WORLD.yaml ROBOT.yaml OUT_FOLDER\n"
+    "Draws an octree by odometry that drifts, and again once it is told where the robot really "
+    "was.\n";
+
 }  // namespace
 
 /// Drives a robot whose odometry drifts, then tells the mapper where it really was, as a pose graph
 /// does when it closes a loop. Writes both maps with pictures, before.* and after.*, into a folder,
 /// and says what redrawing took.
 int main(int argc, char** argv) try {
-  if (argc != 4) {
-    throw std::invalid_argument("usage: close_octomap_loop WORLD.yaml ROBOT.yaml OUT_FOLDER");
-  }
+  if (const auto code = exit_with_usage(argc, argv, 3, 3, kUsage)) return *code;
   const YAML::Node robot = YAML::LoadFile(argv[2]);
   const MapperNodeOptions<OctoKind> options = mapper_of(robot);
   Drive drive(robot_in(robot, argv[1]), options);

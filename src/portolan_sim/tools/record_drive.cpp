@@ -58,14 +58,18 @@ class Recording {
   rosbag::Bag bag_;
 };
 
+constexpr const char* kUsage =
+    "usage: record_drive WORLD.yaml ROBOT.yaml OUT.bag [TRUTH_FOLDER]\n"
+    "Records what the simulated robot says on its path through a world; see worlds/ and robots/ "
+    "of\n"
+    "portolan_bringup.\n";
+
 }  // namespace
 
 /// Records what the simulated robot says on its path through a world, as fast as it can be worked
 /// out and without a ROS master: the messages that robot_sim publishes for the same robot file.
 int main(int argc, char** argv) try {
-  if (argc != 4 && argc != 5) {
-    throw std::invalid_argument("usage: record_drive WORLD.yaml ROBOT.yaml OUT.bag [TRUTH_FOLDER]");
-  }
+  if (const auto code = exit_with_usage(argc, argv, 3, 4, kUsage)) return *code;
   RobotSimOptions node;
   SimulationOptions robot;
   read_options(YAML::LoadFile(argv[2])["robot_sim"], node, robot);

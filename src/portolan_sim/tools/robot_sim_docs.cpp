@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
-#include <stdexcept>
 #include <string>
 
 #include "../nodes/robot_sim_options.hpp"
@@ -17,11 +16,14 @@ void add_section(const std::string& list) {
                                       portolan::option_rows(typename Sensor::Options{}));
 }
 
+constexpr const char* kUsage =
+    "usage: robot_sim_docs CONFIG_FOLDER > page.md\n"
+    "Writes the simulated robot's YAML file of defaults into a folder, and its table to stdout.\n";
+
 }  // namespace
 
-/// Writes the simulated robot's YAML file of defaults into a folder, and its table to stdout.
 int main(int argc, char** argv) try {
-  if (argc != 2) throw std::invalid_argument("usage: robot_sim_docs CONFIG_FOLDER > page.md");
+  if (const auto code = portolan::exit_with_usage(argc, argv, 1, 1, kUsage)) return *code;
   using namespace portolan::sim;
   portolan::document(argv[1], "robot_sim",
                      portolan::option_rows(RobotSimOptions{}, SimulationOptions{}));

@@ -75,15 +75,17 @@ sim::VolumeView view_of(const sim::World& world, const OctoMapper& map,
   return view;
 }
 
+constexpr const char* kUsage =
+    "usage: score_octomap NAME MAP.yaml WORLD.yaml ROBOT.yaml TRAJECTORY.tum\n"
+    "Compares an octree with the world: prints a row of a Markdown table, precision and recall of\n"
+    "occupied voxels and of free ones.\n";
+
 }  // namespace
 
 /// Prints a row of a Markdown table: name, precision and recall of occupied voxels, and of free
 /// ones. The truth is what lidars and depth cameras of the robot could see from its true path.
 int main(int argc, char** argv) try {
-  if (argc != 6) {
-    throw std::invalid_argument(
-        "usage: score_octomap NAME MAP.yaml WORLD.yaml ROBOT.yaml TRAJECTORY.tum");
-  }
+  if (const auto code = exit_with_usage(argc, argv, 5, 5, kUsage)) return *code;
   const OctoMapper map = load(argv[2]);
   const sim::World world(sim::read_world(argv[3]));
   const sim::VolumeView view = view_of(world, map, sensors(argv[4]), poses(argv[5]));

@@ -58,7 +58,9 @@ class GridLiveEqualsOffline(case.NodeCase):
         files = self.offline(bags.write_room_bag(self.folder / "room.bag", LOOKS), "new/folder", **GRID)
         sheets = ("map", "map_laser", "map_sonar")
         self.assertEqual(set(files), {f"{sheet}.{suffix}" for sheet in sheets for suffix in ("yaml", "pgm", "png")}
-                         | {"trajectory.tum", "summary.yaml"})
+                         | {"trajectory.tum", "summary.yaml", "report.md"})
+        for sheet in sheets:
+            self.assertIn(f"![{sheet}.png]({sheet}.png)", files["report.md"].decode())
         for sheet in sheets:
             head = yaml.safe_load(files[sheet + ".yaml"])
             self.assertEqual(head["image"], sheet + ".pgm")

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/bag/bag_run.hpp"
 
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <iostream>
-#include <list>
 #include <stdexcept>
 
+#include "bag_report.hpp"
+#include "open_bags.hpp"
+#include "portolan_ros/bag/assignments.hpp"
 #include "portolan_ros/bag/bag_graph.hpp"
 #include "portolan_ros/bag/progress_bar.hpp"
 #include "portolan_ros/kinds/for_each_kind.hpp"
@@ -23,11 +25,31 @@ YAML::Node merged_config(const std::vector<std::string>& files) {
   YAML::Node config(YAML::NodeType::Map);
   for (const std::string& file : files) {
     try {
-      for (const auto& section : YAML::LoadFile(file)) config[section.first] = section.second;
+      const YAML::Node sections = YAML::LoadFile(file);
+      if (!sections.IsMap() && !sections.IsNull()) {
+        throw std::runtime_error(file + ": options under mappers' names are wanted");
+      }
+      for (const auto& section : sections) config[section.first] = section.second;
     } catch (const YAML::Exception& error) {
       throw std::runtime_error(file + ": " + error.what());
     }
   }
+  return config;
+}
+
+/// The files' options, and over them those of the command line.
+YAML::Node configured(const BagRun& what) {
+  YAML::Node config = merged_config(what.configs);
+  Assignments assignments(what.assignments);
+  const auto assign = [&](const std::string& mapper, const std::vector<OptionRow>& options) {
+    config[mapper] = assignments.over(config[mapper], options);
+  };
+  for_each_kind([&](auto kind) {
+    using Kind = decltype(kind);
+    assign(Kind::kName, option_rows(MapperNodeOptions<Kind>()));
+  });
+  assign(BagGraph::kName, option_rows(GraphNodeOptions()));
+  assignments.check_all_known();
   return config;
 }
 
@@ -36,6 +58,7 @@ AnyBagMapper any_bag_graph(const YAML::Node& config) {
   if (config[BagGraph::kName]) read_options(config[BagGraph::kName], options);
   const auto graph = std::make_shared<BagGraph>(options);
   return {BagGraph::kName,
+          BagGraph::kLegend,
           graph->topics(),
           graph->input_topics(),
           [graph](const rosbag::MessageInstance& message) { graph->take(message); },
@@ -60,34 +83,6 @@ void check_sections(const YAML::Node& config, const std::vector<AnyBagMapper>& m
   }
 }
 
-/// The bags, opened, and how their time runs.
-struct Bags {
-  std::list<rosbag::Bag> open;
-  ros::Time begin;
-  ros::Time end;
-  std::set<std::string> topics;
-};
-
-Bags open_bags(const BagRun& what) {
-  Bags bags;
-  rosbag::View all;
-  for (const std::string& path : what.bags) {
-    try {
-      bags.open.emplace_back(path);
-    } catch (const rosbag::BagException& error) {
-      throw std::runtime_error(path + ": " + error.what());
-    }
-    all.addQuery(bags.open.back());
-  }
-  if (all.size() == 0) throw std::runtime_error("the bags hold no messages");
-  bags.begin = all.getBeginTime() + ros::Duration(what.start);
-  bags.end = what.duration ? bags.begin + ros::Duration(*what.duration) : all.getEndTime();
-  for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
-    bags.topics.insert(ros_convert::without_slash(connection->topic));
-  }
-  return bags;
-}
-
 bool is_wanted(const AnyBagMapper& mapper, const BagRun& what, const Bags& bags) {
   if (what.mappers) {
     return std::count(what.mappers->begin(), what.mappers->end(), mapper.name) > 0;
@@ -98,7 +93,7 @@ bool is_wanted(const AnyBagMapper& mapper, const BagRun& what, const Bags& bags)
 }
 
 std::vector<AnyBagMapper> wanted_mappers(const BagRun& what, const Bags& bags) {
-  const YAML::Node config = merged_config(what.configs);
+  const YAML::Node config = configured(what);
   std::vector<AnyBagMapper> mappers;
   for_each_kind([&](auto kind) { mappers.push_back(any_bag_mapper<decltype(kind)>(config)); });
   mappers.push_back(any_bag_graph(config));
@@ -111,7 +106,9 @@ std::vector<AnyBagMapper> wanted_mappers(const BagRun& what, const Bags& bags) {
   mappers.erase(std::remove_if(mappers.begin(), mappers.end(),
                                [&](const AnyBagMapper& m) { return !is_wanted(m, what, bags); }),
                 mappers.end());
-  if (mappers.empty()) throw std::runtime_error("no mapper finds a topic of its own in the bags");
+  if (mappers.empty()) {
+    throw std::runtime_error("no mapper finds a topic of its own in the bags; " + bags.advice);
+  }
   return mappers;
 }
 
@@ -164,38 +161,62 @@ void finish(std::vector<AnyBagMapper>& mappers) {
   for (AnyBagMapper& mapper : mappers) mapper.finish();
 }
 
+std::vector<std::string> names_of(const BagRun& what) {
+  std::vector<std::string> names;
+  for (const std::string& bag : what.bags) {
+    names.push_back(std::filesystem::path(bag).filename().string());
+  }
+  return names;
+}
+
+std::vector<std::string> names_of(const FileSet& files) {
+  std::vector<std::string> names;
+  for (const auto& [name, content] : files) names.push_back(name);
+  return names;
+}
+
 YAML::Node summary_of(const BagRun& what, const std::vector<AnyBagMapper>& mappers) {
   YAML::Node summary;
   summary["portolan"] = PORTOLAN_VERSION;
-  for (const std::string& bag : what.bags) {
-    summary["bags"].push_back(std::filesystem::path(bag).filename().string());
-  }
+  summary["bags"] = names_of(what);
   for (const AnyBagMapper& mapper : mappers) summary["mappers"][mapper.name] = mapper.summary();
   return summary;
+}
+
+std::string why_empty(const AnyBagMapper& mapper, const Bags& bags) {
+  const std::vector<Tally> tallies = mapper.tallies();
+  const std::string what = "the map of " + mapper.name + " is empty: " + sentence_of(tallies);
+  const bool heard = std::any_of(tallies.begin(), tallies.end(),
+                                 [](const Tally& tally) { return tally.received() > 0; });
+  if (heard) return what;
+  return what + " on " + boost::join(mapper.input_topics, ", ") + " in the bags; " + bags.advice;
 }
 
 }  // namespace
 
 void run(const BagRun& what) {
-  const Bags bags = open_bags(what);
+  const Bags bags = open_bags(what.bags, what.start, what.duration);
   std::vector<AnyBagMapper> mappers = wanted_mappers(what, bags);
+  std::filesystem::create_directories(what.out);
   play(bags, mappers);
   finish(mappers);
   FileSet files;
+  std::vector<ReportedMap> reported;
   for (const AnyBagMapper& mapper : mappers) {
-    std::cerr << mapper.name << ": " << sentence_of(mapper.tallies()) << std::endl;
-    files.merge(mapper.files());
+    FileSet made = mapper.files();
+    reported.push_back({mapper.name, mapper.legend, sentence_of(mapper.tallies()), names_of(made)});
+    std::cerr << mapper.name << ": " << reported.back().used << std::endl;
+    files.merge(made);
   }
+  files["report.md"] = bag_report(names_of(what), reported);
   YAML::Emitter summary;
   summary << summary_of(what, mappers);
   files["summary.yaml"] = std::string(summary.c_str()) + "\n";
-  std::filesystem::create_directories(what.out);
   save_files(what.out, files);
   std::cerr << files.size() << " files in " << what.out << std::endl;
   for (const AnyBagMapper& mapper : mappers) {
     if (!used_anything(mapper.tallies())) {
-      throw std::runtime_error("the map of " + mapper.name +
-                               " is empty: " + sentence_of(mapper.tallies()));
+      throw std::runtime_error(why_empty(mapper, bags));
     }
   }
 }

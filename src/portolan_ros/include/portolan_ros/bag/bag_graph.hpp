@@ -18,6 +18,9 @@ namespace portolan {
 class BagGraph {
  public:
   static constexpr const char* kName = "pose_graph";
+  static constexpr const char* kLegend =
+      "Lines lead from keyframe to keyframe. Green: along the way. Blue: loops. Red: refused, or "
+      "disabled. Grey: what the scans met.";
 
   /// Throws OptionsError.
   explicit BagGraph(const GraphNodeOptions& options);

@@ -19,6 +19,7 @@ namespace portolan {
 /// Any kind of map over a bag, with its type forgotten.
 struct AnyBagMapper {
   std::string name;
+  std::string legend;  ///< of its pictures
   std::set<std::string> topics;
   std::set<std::string> input_topics;
   std::function<void(const rosbag::MessageInstance&)> take;
@@ -37,6 +38,7 @@ AnyBagMapper any_bag_mapper(const YAML::Node& config) {
   if (config[Kind::kName]) read_options(config[Kind::kName], options);
   const auto mapper = std::make_shared<BagMapper<Kind>>(options);
   return {Kind::kName,
+          Kind::kLegend,
           mapper->topics(),
           mapper->input_topics(),
           [mapper](const rosbag::MessageInstance& message) { mapper->take(message); },
@@ -51,15 +53,16 @@ AnyBagMapper any_bag_mapper(const YAML::Node& config) {
 struct BagRun {
   std::vector<std::string> bags;
   std::vector<std::string> configs;                 ///< YAML files, options under mappers' names
+  std::vector<std::string> assignments;             ///< name:=value, for each mapper that knows it
   std::string out = "maps";                         ///< folder, made where it is missing
   double start = 0.0;                               ///< [s] after the begin of the bags
   std::optional<double> duration;                   ///< [s]; none: to their end
   std::optional<std::vector<std::string>> mappers;  ///< none: all that find a topic
 };
 
-/// Draws the maps and writes them, with pictures and summary.yaml, into the folder. Progress and
-/// results go to stderr. Throws std::exception where a bag, an option or the folder is at fault,
-/// and where a map stayed empty: then with the reason.
+/// Draws the maps and writes them, with pictures, report.md and summary.yaml, into the folder.
+/// Progress and results go to stderr. Throws std::exception where a bag, an option or the folder is
+/// at fault, and where a map stayed empty: then with the reason.
 void run(const BagRun& what);
 
 }  // namespace portolan

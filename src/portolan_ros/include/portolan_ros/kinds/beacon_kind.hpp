@@ -23,6 +23,11 @@ struct BeaconKind {
 
   static constexpr const char* kName = "beacons";
   static constexpr const char* kFileName = "beacons";
+  static constexpr const char* kLegend =
+      "Every place where each may be, as ellipses of two deviations, the likelier the stronger. "
+      "Green: one place. Orange: several; the red line is where to drive to know. Blue: the "
+      "robot's "
+      "way. Faint lines stand 1 m apart, or 10 m in maps wider than that.";
 
   /// Calls `add(name, noun, converter)` for each input.
   template <class Add>

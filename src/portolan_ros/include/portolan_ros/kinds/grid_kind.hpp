@@ -22,6 +22,10 @@ struct GridKind {
 
   static constexpr const char* kName = "occupancy_grid";
   static constexpr const char* kFileName = "map";
+  static constexpr const char* kLegend =
+      "Black: occupied. White: free. Grey: between them; the even grey all around: never seen. "
+      "Blue: "
+      "the robot's way.";
 
   /// Calls `add(name, noun, converter)` for each input.
   template <class Add>

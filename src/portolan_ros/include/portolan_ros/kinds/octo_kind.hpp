@@ -28,6 +28,10 @@ struct OctoKind {
 
   static constexpr const char* kName = "octomap";
   static constexpr const char* kFileName = "octomap";
+  static constexpr const char* kLegend =
+      "From above, and below that from the side: the more occupied voxels lie behind each other, "
+      "the "
+      "darker. Grey: never seen. Red: the robot's way.";
 
   /// Calls `add(name, noun, converter)` for each input.
   template <class Add>
