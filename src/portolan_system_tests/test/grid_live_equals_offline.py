@@ -119,6 +119,27 @@ class GridLiveEqualsOffline(case.NodeCase):
         parts = files_of(self.folder / "parts")
         self.assertEqual(parts, {name: at_once[name] for name in parts})
 
+    def test_a_robot_that_calls_its_topics_and_frames_otherwise(self):
+        ours = bags.write_room_bag(self.folder / "room.bag", LOOKS)
+        theirs = self.folder / "theirs.bag"
+        with rosbag.Bag(str(ours)) as source, rosbag.Bag(str(theirs), "w") as target:
+            for topic, message, stamp in source:
+                for transform in getattr(message, "transforms", []):
+                    transform.header.frame_id = f"robot/{transform.header.frame_id}"
+                    transform.child_frame_id = f"robot/{transform.child_frame_id}"
+                if hasattr(message, "header"):
+                    message.header.frame_id = f"robot/{message.header.frame_id}"
+                target.write(topic if "tf" in topic else f"/robot{topic}", message, stamp)
+        self.assert_refused(self.bag_to_map(theirs), "scan:=/robot/scan", "sonar:=/robot/sonar")
+        self.assert_refused(self.bag_to_map("odm_frame:=robot/odom", theirs), "odm_frame")
+        done = self.bag_to_map("scan:=/robot/scan", "sonar:=/robot/sonar", "odom_frame:=robot/odom",
+                               "base_frame:=robot/base_link", "--config", self.config(**GRID), "--mappers",
+                               "occupancy_grid", theirs, out="theirs")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        at_home = self.offline(ours, **GRID)
+        for name in ("map.pgm", "map_laser.pgm", "map_sonar.pgm", "trajectory.tum"):
+            self.assertEqual((self.folder / "theirs" / name).read_bytes(), at_home[name], name)
+
     def assert_refused(self, done, *words):
         """It ended badly, in its own words and not by a signal, and left no map."""
         self.assertGreater(done.returncode, 0, done.stderr)
@@ -144,6 +165,7 @@ class GridLiveEqualsOffline(case.NodeCase):
         self.assert_refused(self.bag_to_map("--mappers", "occupancy_gird", bag), "occupancy_gird")
         self.assert_refused(self.bag_to_map("--no-such-flag", bag), "no-such-flag")
         self.assert_refused(self.bag_to_map("--start", "soon", bag), "start")
+        self.assert_refused(self.bag_to_map("--start", "1e6", bag), "the bags last")
         self.assert_refused(self.bag_to_map("--config", self.folder / "missing.yaml", bag), "missing.yaml")
         (self.folder / "torn.yaml").write_text("occupancy_grid: {resolution: [")
         self.assert_refused(self.bag_to_map("--config", self.folder / "torn.yaml", bag), "torn.yaml")
