@@ -1,11 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced after common.sh: one launch file at a time, under a ROS master of its own, which ends with the script.
 
+# show_progress: how far ninja has come, by its [done/all]: in place on a terminal, a line each tenth elsewhere.
+show_progress() {
+  local word shown=-1 percent end=$'\n' step=10
+  [ -t 1 ] && end=$'\r' step=1
+  while read -r word _; do
+    [[ $word =~ ^\[([0-9]+)/([0-9]+)\]$ ]] || continue
+    percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2] / step * step))
+    [ "$percent" -eq "$shown" ] || printf 'built: %d %%%s' "$percent" "$end"
+    shown=$percent
+  done
+  [ "$step" -eq 10 ] || echo
+}
+
 build_workspace() {
   "$root/scripts/setup"
   mkdir -p "$build/stages"
-  echo 'building (the first time takes some minutes)'
-  "$root/scripts/build" > "$build/stages/build.log" 2>&1 || {
+  echo 'building (the first time takes ten to twenty minutes on two cores)'
+  "$root/scripts/build" 2>&1 | tee "$build/stages/build.log" | show_progress || {
     tail -n 40 "$build/stages/build.log"
     exit 1
   }
