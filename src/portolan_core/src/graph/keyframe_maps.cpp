@@ -3,30 +3,30 @@
 
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace portolan {
 
 namespace {
 
-// Tells each square and way to look from the others once.
+// Tells each square from the others once.
 class Places {
  public:
   explicit Places(double side) : side_(side) {}
 
-  bool is_new(const Pose& T) {
-    const Eigen::Vector3d p = T.translation() / side_;
-    return taken_.insert({std::floor(p.x()), std::floor(p.y()), std::floor(yaw(T) / M_PI_2)})
-        .second;
-  }
+  bool is_new(const Pose& T) { return taken_.insert(square_of(T, side_)).second; }
 
  private:
   double side_;
-  std::set<std::tuple<double, double, double>> taken_;
+  std::set<Square> taken_;
 };
 
 }  // namespace
+
+Square square_of(const Pose& T_map_base, double side) {
+  const Eigen::Vector3d p = T_map_base.translation() / side;
+  return {std::floor(p.x()), std::floor(p.y()), std::floor(yaw(T_map_base) / M_PI_2)};
+}
 
 LocalMap PlacedKeyframes::map_around(std::size_t i, double way_before, double way_after,
                                      const SurfaceOptions& options) const {

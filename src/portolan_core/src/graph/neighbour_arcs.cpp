@@ -14,6 +14,9 @@ namespace {
 
 constexpr GraphSpace kSpace = GraphSpace::planar;
 
+// What is left of odometry's information where somebody knows better.
+constexpr double kNothing = 1e-6;
+
 double squared(double x) { return x * x; }
 
 TangentMatrix isotropic(double position, double heading) {
@@ -96,7 +99,7 @@ void take_for_a_guess(Arc& odometry, Arc& scan) {
   constexpr double kTurn = 0.26;  // [rad]
   const TangentMatrix doubt = isotropic(squared(kShift), squared(kTurn));
   scan.information = information_of(covariance_of(scan.information, kSpace) + doubt, kSpace);
-  odometry.information *= 1e-6;
+  odometry.information *= kNothing;
 }
 
 /// How much two arcs contradict each other: squared Mahalanobis distance over what chance allows.
@@ -147,6 +150,28 @@ NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
   }
   if (arcs.scan->reason != ArcReason::none) arcs.scan->state = ArcState::rejected;
   return arcs;
+}
+
+NeighbourArcs neighbour_arcs(const Pose& T_odometry, const UncertainPose& step, bool has_scan) {
+  Arc odometry;
+  odometry.T_from_to = T_odometry;
+  odometry.information = information_of(step.covariance, kSpace);
+  odometry.kind = ArcKind::odometry;
+  if (!has_scan) return {odometry, std::nullopt};
+  Arc scan = odometry;
+  scan.T_from_to = step.mean;
+  scan.kind = ArcKind::scan;
+  odometry.information *= kNothing;
+  return {odometry, scan};
+}
+
+bool is_between_neighbours(const Arc& arc) {
+  return arc.to == arc.from + 1 && (arc.kind == ArcKind::odometry || arc.kind == ArcKind::scan);
+}
+
+bool is_gap(const UncertainPose& step) {
+  constexpr double kLost = 0.45;  // [m]
+  return step.covariance.diagonal().head<2>().maxCoeff() > kLost * kLost;
 }
 
 }  // namespace portolan

@@ -26,12 +26,6 @@ constexpr double kNothing = 1e-6;
 // Keyframes on both sides of a gap are no neighbours, however near odometry puts them [m].
 constexpr double kGap = 1e3;
 
-// Whether nobody knows how the robot came from one keyframe to the next: they are no one place.
-bool is_gap(const UncertainPose& step) {
-  constexpr double kLost = 0.45;  // [m]
-  return step.covariance.diagonal().head<2>().maxCoeff() > kLost * kLost;
-}
-
 }  // namespace
 
 PoseGraph::PoseGraph(const Options& options)
@@ -45,9 +39,7 @@ std::optional<Outcome> PoseGraph::insert(Time stamp, const Pose& T_odom_base, co
   const bool is_first = keyframes_.empty();
   if (!is_first && stamp <= keyframes_.back().stamp) return Outcome::rejected;
   if (!is_first && !is_due(stamp, T_odom_base)) return std::nullopt;
-  if (keyframes_.size() == static_cast<std::size_t>(options_.keyframes.max_count)) {
-    return Outcome::rejected;
-  }
+  if (!make_room()) return Outcome::rejected;
   const double travelled = is_first ? 0.0 : way_to(T_odom_base);
   keyframes_.push_back({stamp, T_odom_base, T_base_sensor, scan, travelled});
   const auto id = static_cast<PoseId>(keyframes_.size() - 1);

@@ -62,6 +62,7 @@ YAML::Node BagGraph::summary() const {
   node["inputs"] = counts_of(tallies());
   node["transforms_refused"] = pipeline_.posed().bad_transforms();
   node["keyframes"] = graph.keyframes().size();
+  node["keyframes_dropped"] = graph.dropped();
   std::map<std::string, std::size_t> arcs;
   for (const Arc& arc : graph.graph().arcs()) {
     const auto name = [](auto value) {

@@ -37,7 +37,10 @@ PoseGraphNode::PoseGraphNode(const ros::NodeHandle& handle, const ros::NodeHandl
         ros::WallDuration(period), [deed](const ros::WallTimerEvent& /*event*/) { deed(); }));
   };
   every(kPollPeriod, [this] { pipeline_.poll(now()); });
-  every(options_.node.publish_interval, [this] { outputs_.publish(ros::Time::now()); });
+  every(options_.node.publish_interval, [this] {
+    outputs_.publish(ros::Time::now());
+    say_what_was_dropped();
+  });
   every(options_.node.diagnostic_period, [this] { diagnostics_.force_update(); });
 }
 
@@ -61,9 +64,11 @@ void PoseGraphNode::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
   diagnosis_.fill(pipeline_.posed().tallies(), status);
   const PoseGraph& graph = pipeline_.graph();
   status.add("keyframes", graph.keyframes().size());
+  status.add("keyframes dropped", graph.dropped());
   status.add("keyframes without scan", graph.forgotten());
   status.add("loops accepted", count(graph.graph(), ArcKind::loop, ArcState::accepted));
-  status.add("loops rejected", count(graph.graph(), ArcKind::loop, ArcState::rejected));
+  status.add("loops rejected",
+             count(graph.graph(), ArcKind::loop, ArcState::rejected) + graph.dropped_loops());
   status.add("place known", graph.is_lost() ? "no: until a loop is found" : "yes");
   for (std::size_t i = 0; i < enum_names(InitialPoseFate{}).size(); ++i) {
     const std::size_t poses = pipeline_.initial_poses().count(static_cast<InitialPoseFate>(i));
@@ -73,6 +78,15 @@ void PoseGraphNode::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
   status.add("doubts", graph.report() ? to_string(graph.report()->doubts) : "none");
   status.add("transforms refused", pipeline_.posed().bad_transforms());
   status.add("times the clock ran back", pipeline_.time_jumps());
+}
+
+void PoseGraphNode::say_what_was_dropped() {
+  const std::size_t dropped = pipeline_.graph().dropped();
+  if (dropped > dropped_) {
+    ROS_INFO("the graph was full: %zu keyframes are dropped, and the others numbered anew",
+             dropped - dropped_);
+  }
+  dropped_ = dropped;
 }
 
 std::string PoseGraphNode::map_name() const {

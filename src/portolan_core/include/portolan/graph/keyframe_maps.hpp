@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "portolan/graph/graph.hpp"
@@ -12,6 +13,12 @@ namespace portolan {
 
 /// Where a keyframe of this id stands among all of a pose graph, which counts them from 0.
 inline std::size_t index_of(PoseId id) { return static_cast<std::size_t>(id); }
+
+/// A square of the floor, and a quarter of all ways to look in it.
+using Square = std::tuple<double, double, double>;
+
+/// The square of this side [m] in which a pose lies; a sensor need not see all round.
+Square square_of(const Pose& T_map_base, double side);
 
 /// Keyframes at the poses that a graph gives them; what is asked of both together.
 /// Keyframe i is the pose of id i.
@@ -33,8 +40,7 @@ struct PlacedKeyframes {
   LocalMap map_near(std::size_t i, std::size_t end, double distance,
                     const SurfaceOptions& options) const;
 
-  /// The keyframes before `end` that have a scan, one of each square of this side [m] and quarter
-  /// of all ways to look: a sensor need not see all round.
+  /// The keyframes before `end` that have a scan, one of each square of this side [m].
   std::vector<std::size_t> places(std::size_t end, double side) const;
 
   /// The keyframe nearest to a pose, among those within so much way of another one [m].

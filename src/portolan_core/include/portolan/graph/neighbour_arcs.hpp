@@ -6,6 +6,7 @@
 #include "portolan/graph/keyframe.hpp"
 #include "portolan/graph/match/local_map.hpp"
 #include "portolan/graph/pose_graph_options.hpp"
+#include "portolan/graph/uncertainty.hpp"
 
 namespace portolan {
 
@@ -24,5 +25,16 @@ struct NeighbourArcs {
 NeighbourArcs neighbour_arcs(const Keyframe& last, const Keyframe& next,
                              const LocalMap& around_last, const PoseGraphOptions& options,
                              bool is_interrupted = false);
+
+/// Arcs between neighbours that say together what is known of a step. Odometry keeps its pose,
+/// which saved graphs need, and where scans had a say, hardly a weight: all that is known stands in
+/// the scan's arc then.
+NeighbourArcs neighbour_arcs(const Pose& T_odometry, const UncertainPose& step, bool has_scan);
+
+/// Whether it is one of these arcs.
+bool is_between_neighbours(const Arc& arc);
+
+/// Whether nobody knows how the robot came from one keyframe to the next: they are no one place.
+bool is_gap(const UncertainPose& step);
 
 }  // namespace portolan

@@ -31,7 +31,9 @@ class PoseGraph {
   explicit PoseGraph(const Options& options);
 
   /// Takes what a planar sensor saw from a pose. None where no keyframe is due; rejected where
-  /// stamps do not increase or the graph is full; unusable where scan or poses are malformed.
+  /// stamps do not increase, or where the graph is full and can do without no keyframe; unusable
+  /// where scan or poses are malformed. A full graph drops what it can do without
+  /// (`spare_keyframes`): poses and arcs are numbered anew then.
   std::optional<Outcome> insert(Time stamp, const Pose& T_odom_base, const RangeScan& scan,
                                 const Pose& T_base_sensor);
 
@@ -72,12 +74,15 @@ class PoseGraph {
   /// nothing that was seen since then has held the one to the other yet.
   bool is_lost() const;
 
-  /// Counts how often poses that were there before were moved.
+  /// Counts how often poses that were there before were moved, or numbered anew.
   std::size_t generation() const { return generation_; }
   /// What the optimiser thought of the last coordinates that it made; none without loops.
   const std::optional<OptimizerReport>& report() const { return report_; }
   /// Keyframes whose scans were forgotten to stay within the budget.
   std::size_t forgotten() const { return forgotten_; }
+  /// Keyframes that were dropped to stay within their number, and rejected loops with them.
+  std::size_t dropped() const { return dropped_; }
+  std::size_t dropped_loops() const { return dropped_loops_; }
   const Options& options() const { return options_; }
 
  private:
@@ -90,6 +95,9 @@ class PoseGraph {
   void add_guess(const Pose& T_map_base, const TangentMatrix& covariance);
   void step_on(const UncertainPose& step);
   void forget_scans();
+  bool make_room();
+  void drop(const std::vector<std::size_t>& spare);
+  void drop_keyframes(const std::vector<std::size_t>& spare);
   bool has_enough_loops(std::size_t here) const;
   std::vector<std::optional<UncertainPose>> seen_from(std::size_t now) const;
   std::vector<std::optional<UncertainPose>> seen_as_suspected(std::size_t now) const;
@@ -117,6 +125,8 @@ class PoseGraph {
   double looked_ = 0.0;  // way at which loops were last looked for [m]
   std::size_t scan_bytes_ = 0;
   std::size_t forgotten_ = 0;
+  std::size_t dropped_ = 0;
+  std::size_t dropped_loops_ = 0;
   bool is_resumed_ = false;               // no keyframe has come since the graph was restored
   std::optional<UncertainPose> told_;     // where the next keyframe is said to be
   Time told_since_{};                     // which is not older than this

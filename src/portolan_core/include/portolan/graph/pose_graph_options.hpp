@@ -14,7 +14,7 @@ struct KeyframeOptions {
   double min_travel = 0.5;
   double min_turn = 0.35;
   double min_interval = 0.0;
-  int max_count = 50000;
+  int max_count = 20000;
   double scan_budget = 256.0;
 
   template <class Self, class Visitor>
@@ -25,8 +25,11 @@ struct KeyframeOptions {
           "or after so much time, if the robot has moved by a tenth of the others at least; 0: do "
           "not wait for it [s]",
           at_least(0.0));
-    visit("max_count", self.max_count, "keyframes at most; what comes then is rejected",
-          at_least(2.0));
+    visit(
+        "max_count", self.max_count,
+        "keyframes at most; then some are dropped where the robot has been again since, and poses "
+        "and arcs are numbered anew; what comes where none can go is rejected",
+        at_least(2.0));
     visit("scan_budget", self.scan_budget,
           "memory for scans; past it the oldest are forgotten, and their places no longer found "
           "again [MB]",

@@ -39,6 +39,12 @@ bool contradicts(const LoopFinding& finding, const LoopOptions& options) {
 
 }  // namespace
 
+void PlaceSearch::restart(std::size_t begin) {
+  begin_ = begin;
+  places_.clear();
+  hits_.clear();
+}
+
 std::optional<Arc> PlaceSearch::go_on(const PlacedKeyframes& placed,
                                       const PoseGraphOptions& options) {
   if (places_.empty() && hits_.empty()) {

@@ -4,6 +4,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
+#include <cstddef>
 #include <string>
 
 #include "portolan_ros/diagnosis.hpp"
@@ -25,6 +26,7 @@ class PoseGraphNode {
  private:
   void subscribe();
   void fill(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void say_what_was_dropped();
   std::string map_name() const;
 
   ros::NodeHandle handle_;
@@ -34,6 +36,7 @@ class PoseGraphNode {
   GraphOutputs outputs_{handle_, options_, pipeline_};
   GraphServices arcs_{private_handle_, pipeline_};
   GraphKeeper keeper_{pipeline_, options_};
+  std::size_t dropped_ = 0;  // keyframes of which this was said
   Diagnosis diagnosis_;
   diagnostic_updater::Updater diagnostics_{handle_, private_handle_};
   Subscriptions subscriptions_{handle_};

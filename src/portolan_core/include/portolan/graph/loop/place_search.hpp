@@ -22,6 +22,9 @@ class PlaceSearch {
   /// Counts how often all places were compared.
   std::size_t rounds() const { return rounds_; }
 
+  /// The keyframes are numbered anew: begins its round again.
+  void restart(std::size_t begin);
+
   /// Goes on by a few places. A round compares all of them with what was newest when it began; at
   /// its end comes an unconfirmed loop, if one place stands up to all questions that are asked of
   /// a loop and no other that does fits nearly as well.
