@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace portolan {
 
@@ -110,21 +111,38 @@ void draw_digit(std::uint16_t digit, std::int64_t column, std::int64_t row, Pict
   }
 }
 
-void draw_id(BeaconId id, const Eigen::Vector2d& center, Picture& picture) {
-  constexpr double kBeside = 10.0;          // [pixel]
-  constexpr std::int64_t kDigitWidth = 12;  // [pixel]
-  std::int64_t column = whole(center.x() + kBeside);
-  for (const char digit : std::to_string(id)) {
-    draw_digit(kDigits.at(static_cast<std::size_t>(digit - '0')), column,
-               whole(center.y() - 2.0 * kBeside), picture);
-    column += kDigitWidth;
+/// The numbers in a picture; one that would lie on another is left out.
+class Numbers {
+ public:
+  void draw(BeaconId id, const Eigen::Vector2d& center, Picture& picture) {
+    constexpr double kBeside = 10.0;      // [pixel]
+    constexpr double kDigitWidth = 12.0;  // [pixel]
+    const std::string digits = std::to_string(id);
+    Eigen::Vector2d at = center + Eigen::Vector2d(kBeside, -2.0 * kBeside);
+    const Eigen::Vector2d size(kDigitWidth * static_cast<double>(digits.size()), kDigitWidth + 3.0);
+    const Eigen::AlignedBox2d box(at, at + size);
+    for (const Eigen::AlignedBox2d& other : drawn_) {
+      if (other.intersects(box)) return;
+    }
+    drawn_.push_back(box);
+    for (const char digit : digits) {
+      draw_digit(kDigits.at(static_cast<std::size_t>(digit - '0')), whole(at.x()), whole(at.y()),
+                 picture);
+      at.x() += kDigitWidth;
+    }
   }
-}
 
-void draw_beacon(const BeaconEstimate& beacon, const View& view, Picture& picture) {
+ private:
+  std::vector<Eigen::AlignedBox2d> drawn_;  // [pixel]
+};
+
+void draw_beacon(const BeaconEstimate& beacon, const View& view, Numbers& numbers,
+                 Picture& picture) {
   const Picture::Colour colour = beacon.ambiguous ? kAmbiguous : kCertain;
   for (const BeaconMode& mode : beacon.modes) draw_mode(mode, view, colour, picture);
-  if (!beacon.modes.empty()) draw_id(beacon.id, view.pixel(beacon.modes[0].mean), picture);
+  if (!beacon.modes.empty()) {
+    numbers.draw(beacon.id, view.pixel(beacon.modes[0].mean), picture);
+  }
   if (!beacon.drive) return;
   const BeaconDrive& drive = *beacon.drive;
   draw_line(view.pixel(drive.p_map), view.pixel(drive.p_map + drive.distance * drive.direction),
@@ -150,7 +168,8 @@ Picture beacon_picture(const BeaconScene& scene, std::size_t side) {
   for (std::size_t i = 1; i < scene.way.size(); ++i) {
     draw_line(view.pixel(scene.way[i - 1]), view.pixel(scene.way[i]), kWay, picture);
   }
-  for (const BeaconEstimate& beacon : scene.beacons) draw_beacon(beacon, view, picture);
+  Numbers numbers;
+  for (const BeaconEstimate& beacon : scene.beacons) draw_beacon(beacon, view, numbers, picture);
   for (const Eigen::Vector3d& p_map : scene.truth) draw_cross(view.pixel(p_map), picture);
   return picture;
 }

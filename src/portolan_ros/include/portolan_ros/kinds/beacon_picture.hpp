@@ -20,9 +20,9 @@ struct BeaconScene {
 };
 
 /// The scene from above: each mode as an ellipse of two standard deviations, the heavier the
-/// stronger its colour, orange while the beacon is ambiguous, then green, with its id; the way in
-/// blue, the drive that would tell most as a red line, the truth as black crosses. The longer side
-/// has `side` pixels.
+/// stronger its colour, orange while the beacon is ambiguous, then green, with its id where there
+/// is room; the way in blue, the drive that would tell most as a red line, the truth as black
+/// crosses. The longer side has `side` pixels.
 Picture beacon_picture(const BeaconScene& scene, std::size_t side);
 
 }  // namespace portolan

@@ -26,7 +26,8 @@ struct LandmarkKind {
   static constexpr const char* kName = "landmarks";
   static constexpr const char* kFileName = "landmarks";
   static constexpr const char* kLegend =
-      "Each with its number, in its ellipse of two deviations. Blue: the robot's way. Faint "
+      "Each with its number where there is room, in its ellipse of two deviations. Blue: the "
+      "robot's way. Faint "
       "lines stand 1 m apart, or 10 m in maps wider than that.";
 
   /// Calls `add(name, noun, converter)` for each input. Scans have a topic of their own, since not
