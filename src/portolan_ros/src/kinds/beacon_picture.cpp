@@ -136,13 +136,9 @@ class Numbers {
   std::vector<Eigen::AlignedBox2d> drawn_;  // [pixel]
 };
 
-void draw_beacon(const BeaconEstimate& beacon, const View& view, Numbers& numbers,
-                 Picture& picture) {
+void draw_places(const BeaconEstimate& beacon, const View& view, Picture& picture) {
   const Picture::Colour colour = beacon.ambiguous ? kAmbiguous : kCertain;
   for (const BeaconMode& mode : beacon.modes) draw_mode(mode, view, colour, picture);
-  if (!beacon.modes.empty()) {
-    numbers.draw(beacon.id, view.pixel(beacon.modes[0].mean), picture);
-  }
   if (!beacon.drive) return;
   const BeaconDrive& drive = *beacon.drive;
   draw_line(view.pixel(drive.p_map), view.pixel(drive.p_map + drive.distance * drive.direction),
@@ -168,8 +164,12 @@ Picture beacon_picture(const BeaconScene& scene, std::size_t side) {
   for (std::size_t i = 1; i < scene.way.size(); ++i) {
     draw_line(view.pixel(scene.way[i - 1]), view.pixel(scene.way[i]), kWay, picture);
   }
+  for (const BeaconEstimate& beacon : scene.beacons) draw_places(beacon, view, picture);
   Numbers numbers;
-  for (const BeaconEstimate& beacon : scene.beacons) draw_beacon(beacon, view, numbers, picture);
+  for (const BeaconEstimate& beacon : scene.beacons) {
+    if (beacon.modes.empty()) continue;
+    numbers.draw(beacon.id, view.pixel(beacon.modes[0].mean), picture);
+  }
   for (const Eigen::Vector3d& p_map : scene.truth) draw_cross(view.pixel(p_map), picture);
   return picture;
 }
