@@ -131,7 +131,7 @@ void convert(std::uint8_t kind, Bytes bytes) {
       return;
     default:
       try {
-        const Correction read = ros_convert::correction(drift(bytes), "odom");
+        const Correction read = ros_convert::correction(drift(bytes), "map", "odom");
         if (!is_valid(read.at(Time(seconds(1.0))))) fail("a correction that is no rigid motion");
       } catch (const std::invalid_argument&) {
       }

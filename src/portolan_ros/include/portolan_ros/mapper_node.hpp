@@ -108,7 +108,8 @@ void MapperNode<Kind>::subscribe_to_input(
 template <class Kind>
 void MapperNode<Kind>::correct(const portolan_msgs::DriftCorrection& message) {
   try {
-    pipeline_.correct(ros_convert::correction(message, options_.pipeline.posing.odom_frame),
+    pipeline_.correct(ros_convert::correction(message, options_.node.map_frame,
+                                              options_.pipeline.posing.odom_frame),
                       ros_convert::time(message.header.stamp), now());
   } catch (const std::invalid_argument& error) {
     diagnosis_.refuse_correction();

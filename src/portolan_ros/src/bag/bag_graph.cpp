@@ -40,10 +40,11 @@ void BagGraph::finish() {
 }
 
 Correction BagGraph::correction() const {
+  const std::string& map_frame = options_.node.map_frame;
   const std::string& odom_frame = options_.posing.odom_frame;
-  return ros_convert::correction(
-      ros_convert::correction(pipeline_.graph().correction(), options_.node.map_frame, odom_frame),
-      odom_frame);
+  const Correction exact = pipeline_.graph().correction();
+  return ros_convert::correction(ros_convert::correction(exact, map_frame, odom_frame), map_frame,
+                                 odom_frame);
 }
 
 FileSet BagGraph::files() const {

@@ -9,12 +9,21 @@
 
 namespace portolan::ros_convert {
 
-Correction correction(const portolan_msgs::DriftCorrection& message,
-                      const std::string& odom_frame) {
-  if (without_slash(message.child_frame_id) != without_slash(odom_frame)) {
-    throw std::invalid_argument("it is about the frame \"" + message.child_frame_id +
-                                "\", not about \"" + odom_frame + "\"");
+namespace {
+
+void check_frame(const std::string& name, const std::string& expected, const std::string& what) {
+  if (without_slash(name) != without_slash(expected)) {
+    throw std::invalid_argument("its " + what + " is \"" + name + "\", not \"" + expected + "\"");
   }
+}
+
+}  // namespace
+
+Correction correction(const portolan_msgs::DriftCorrection& message, const std::string& map_frame,
+                      const std::string& odom_frame) {
+  check_frame(message.child_frame_id, odom_frame, "odometry frame");
+  if (!message.header.frame_id.empty())
+    check_frame(message.header.frame_id, map_frame, "map frame");
   if (message.stamps.size() != message.poses.size()) {
     throw std::invalid_argument("a correction needs as many poses as stamps");
   }
