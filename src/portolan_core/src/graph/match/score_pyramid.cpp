@@ -3,22 +3,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace portolan {
 
+namespace {
+
+// A graph that somebody bent apart must not take all memory: no scanner reaches so far.
+std::vector<Eigen::Vector3d> within_reach(const std::vector<Eigen::Vector3d>& points,
+                                          double resolution) {
+  constexpr double kReach = 4096.0;  // [cell]
+  std::vector<Eigen::Vector3d> near;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(near),
+               [&](const Eigen::Vector3d& p) {
+                 return (p.head<2>().array().abs() <= kReach * resolution).all();
+               });
+  return near;
+}
+
+}  // namespace
+
 ScorePyramid::ScorePyramid(const std::vector<Eigen::Vector3d>& points, double resolution,
                            double blur, int levels)
     : resolution_(resolution) {
+  const std::vector<Eigen::Vector3d> near = within_reach(points, resolution);
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector3d& p : points) box.extend(p.head<2>());
+  for (const Eigen::Vector3d& p : near) box.extend(p.head<2>());
   if (box.isEmpty()) box.extend(Eigen::Vector2d::Zero());
   const int rim = (1 << (levels - 1)) + 1 + static_cast<int>(std::ceil(3.0 * blur / resolution));
   const Eigen::Vector2d size = box.sizes() / resolution;
   origin_ = box.min().array() - (rim + 0.5) * resolution;
   width_ = static_cast<int>(std::ceil(size.x())) + 2 * rim + 1;
   height_ = static_cast<int>(std::ceil(size.y())) + 2 * rim + 1;
-  draw(points, blur);
+  draw(near, blur);
   for (int h = 1; h < levels; ++h) levels_.push_back(coarser(levels_.back(), 1 << (h - 1)));
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "graph/match/flat_world.hpp"
 #include "portolan/graph/match/scan_surface.hpp"
 
@@ -39,6 +41,13 @@ double best_by_trying(const Surface& target, const Surface& source, const Pose& 
     }
   }
   return best / (255.0 * static_cast<double>(source.size()));
+}
+
+TEST(ScorePyramid, IsNoLargerThanWhatAScannerReaches) {
+  const double nan = std::nan("");
+  const ScorePyramid scores({{1.0, 2.0, 0.0}, {1e7, 0.0, 0.0}, {0.0, nan, 0.0}}, 0.05, 0.05, 3);
+  EXPECT_EQ(scores.score(0, scores.cell_of({1.0, 2.0})), 255);
+  EXPECT_EQ(scores.score(0, scores.cell_of({1e7, 0.0})), 0);
 }
 
 TEST(CorrelativeMatcher, IsAsGoodAsTryingEveryPose) {

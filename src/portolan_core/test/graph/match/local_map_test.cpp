@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "graph/match/flat_world.hpp"
 
 namespace portolan {
@@ -37,6 +39,17 @@ TEST(LocalMap, PutsKeyframesTogetherAtTheirPoses) {
     EXPECT_LT(std::abs(p.x()), 4.1);
     EXPECT_LT(std::abs(p.y()), 3.1);
   }
+}
+
+TEST(LocalMap, LeavesOutWhatABentGraphHasPutFarAway) {
+  const Keyframe a = keyframe_in(room(), Pose::Identity(), 1);
+  LocalMapMaker maker(SurfaceOptions{});
+  maker.add(a, Pose::Identity());
+  maker.add(a, planar_pose(1e7, 0.0, 0.0));
+  maker.add(a, planar_pose(0.0, std::nan(""), 0.0));
+  const LocalMap map = std::move(maker).make();
+  EXPECT_EQ(map.views.size(), 1U);
+  EXPECT_EQ(map.surface.size(), map_of(a).surface.size());
 }
 
 TEST(Agreement, IsFullInTheSamePlaceAndLowElsewhere) {

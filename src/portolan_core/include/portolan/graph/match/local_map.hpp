@@ -27,6 +27,7 @@ class LocalMapMaker {
  public:
   explicit LocalMapMaker(const SurfaceOptions& options) : options_(options) {}
 
+  /// A keyframe over 200 m away is left out: a false arc bent the graph apart there.
   void add(const Keyframe& keyframe, const Pose& T_map_base);
   LocalMap make() &&;
 

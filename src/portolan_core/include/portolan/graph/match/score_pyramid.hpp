@@ -16,6 +16,7 @@ class ScorePyramid {
 
   /// Scores fall off by a Gaussian of deviation `blur` [m] around the points; cells have the side
   /// `resolution` [m]. Level h holds in each cell the best of the 2^h by 2^h cells from it on.
+  /// Points over 4096 cells from the origin are left out.
   ScorePyramid(const std::vector<Eigen::Vector3d>& points, double resolution, double blur,
                int levels);
 
