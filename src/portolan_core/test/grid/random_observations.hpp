@@ -129,7 +129,7 @@ class RandomObservations {
       case 3:
         return sign * M_PI / 180.0;
       default:
-        return sign * uniform(0.001, 2.0);
+        return sign * uniform(0.001, std::min(2.0, 60.0 / n));
     }
   }
 

@@ -45,6 +45,9 @@ TEST(RangeScan, IsNotUsableWhereItsHeaderMakesNoSense) {
         is_usable_after([&](RangeScan& scan) { scan.T_first_last.translation().x() = odd; }));
   }
   EXPECT_FALSE(is_usable_after([](RangeScan& scan) { scan.angle_increment = 0.0; }));
+  EXPECT_FALSE(is_usable_after([](RangeScan& scan) { scan.angle_min = -135.0; }));  // degrees
+  EXPECT_FALSE(is_usable_after([](RangeScan& scan) { scan.angle_increment = 30.0; }));
+  EXPECT_FALSE(is_usable_after([](RangeScan& scan) { scan.angle_increment = -1e30; }));
   EXPECT_FALSE(is_usable_after([](RangeScan& scan) { scan.range_min = -0.1; }));
   EXPECT_FALSE(is_usable_after([](RangeScan& scan) { scan.range_max = 0.05; }));
   EXPECT_FALSE(is_usable_after([](RangeScan& scan) { scan.ranges.clear(); }));

@@ -21,7 +21,8 @@ struct RangeScan {
   Pose T_first_last = Pose::Identity();
 };
 
-/// True where angles and limits are finite, the increment is not 0 and the limits make sense.
+/// True where angles and limits are finite, the increment is not 0, the limits make sense, and
+/// neither the first angle nor the whole sweep is over ten turns.
 bool is_usable(const RangeScan& scan);
 
 /// What it occupies in memory [byte].
