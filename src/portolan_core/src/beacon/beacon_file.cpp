@@ -57,10 +57,12 @@ std::size_t read_count(const YAML::Node& node) {
 BeaconTrack read_track(const YAML::Node& node, const std::string& name,
                        const BeaconOptions& options) {
   require(node["ranges"].IsDefined(), name + ": ranges is missing");
-  require(node["modes"].IsSequence() && node["modes"].size() > 0, name + " has no modes");
+  require(node["modes"].IsDefined() && node["modes"].IsSequence() && node["modes"].size() > 0,
+          name + " has no modes");
   std::vector<Hypothesis> hypotheses;
   double total = 0.0;
   for (const YAML::Node& mode : node["modes"]) {
+    require(mode.IsMap(), name + ": a mode is no map of keys");
     hypotheses.push_back(read_mode(mode, name));
     total += hypotheses.back().weight;
   }
@@ -92,10 +94,10 @@ double read_at_least(double least, const YAML::Node& root, const std::string& na
 BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
   require(root.IsMap() && root["version"].IsDefined(), "no version: not a map of beacons");
   require(root["version"].as<int>() == kVersion, "version must be " + std::to_string(kVersion));
-  require(root["beacons"].IsSequence(), "beacons is missing");
+  require(root["beacons"].IsDefined() && root["beacons"].IsSequence(), "beacons is missing");
   std::map<BeaconId, BeaconTrack> tracks;
   for (const YAML::Node& node : root["beacons"]) {
-    require(node["id"].IsDefined(), "a beacon has no id");
+    require(node.IsMap() && node["id"].IsDefined(), "a beacon has no id");
     const auto id = node["id"].as<BeaconId>();
     const std::string name = "beacon " + std::to_string(id);
     require(tracks.emplace(id, read_track(node, name, options)).second, name + " is there twice");

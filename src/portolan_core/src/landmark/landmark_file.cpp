@@ -103,7 +103,7 @@ LandmarkMapper read_map(const YAML::Node& root, const LandmarkOptions& options) 
   std::set<LandmarkId> ids;
   std::vector<std::pair<LandmarkId, LandmarkTrack>> tracks;
   for (const YAML::Node& node : root["landmarks"]) {
-    require(node["id"].IsDefined(), "a landmark has no id");
+    require(node.IsMap() && node["id"].IsDefined(), "a landmark has no id");
     const auto id = node["id"].as<LandmarkId>();
     const std::string name = "landmark " + std::to_string(id);
     require(id != LandmarkSighting::kUnknown, name + ": -1 says unknown");

@@ -90,5 +90,22 @@ TEST(BeaconFile, FaultyFilesAreRefusedWithAReason) {
   }
 }
 
+TEST(BeaconFile, WhatIsMissingIsNamed) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"version: 1\nlandmarks: []\n", "beacons is missing"},
+      {"version: 1\nbeacons: [7]\n", "a beacon has no id"},
+      {"version: 1\nbeacons: [{id: 4, ranges: 9}]\n", "beacon 4 has no modes"},
+      {"version: 1\nbeacons: [{id: 4, ranges: 9, modes: [1]}]\n", "beacon 4: a mode"},
+  };
+  for (const auto& [text, words] : cases) {
+    try {
+      beacons_from_yaml(text, BeaconOptions{});
+      FAIL() << text;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace portolan

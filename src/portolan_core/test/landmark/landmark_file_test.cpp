@@ -94,6 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::make_pair("version: 2\nlandmarks: []\n", "version must be 1"),
         std::make_pair("version: 1\n", "landmarks is missing"),
         std::make_pair("version: 1\nlandmarks: [{mean: [0,0,0]}]\n", "no id"),
+        std::make_pair("version: 1\nlandmarks: [7]\n", "no id"),
         std::make_pair("version: 1\nlandmarks: [{id: 1, mean: [0,0]}]\n", "3 numbers"),
         std::make_pair("version: 1\nlandmarks: [{id: 1, mean: [0,.nan,0]}]\n", "not finite"),
         std::make_pair("version: 1\nlandmarks: [{id: 1, mean: [0,0,0]}]\n", "covariance must"),
