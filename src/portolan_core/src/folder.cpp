@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace portolan {
@@ -39,6 +41,8 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int value() const { return value_; }
+  /// Leaves it to the caller to close it.
+  int release() { return std::exchange(value_, -1); }
 
  private:
   int value_;
@@ -88,19 +92,29 @@ bool has_no_locks(int reason) {
          reason == ENOSYS;
 }
 
+/// Waits for the lock of an open folder, where the file system has any. It is dropped with the
+/// process that holds it, however that one ends; but that one may hang, or be stopped.
+void lock(int folder, std::chrono::milliseconds patience, const std::filesystem::path& path) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (retried([&] { return ::flock(folder, LOCK_EX | LOCK_NB); }) != 0) {
+    if (has_no_locks(errno)) return;
+    if (errno != EWOULDBLOCK) refuse("lock folder", path);
+    if (std::chrono::steady_clock::now() > end) {
+      throw std::runtime_error("cannot lock folder " + path.string() +
+                               ": somebody else does not let go of it");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
 }  // namespace
 
-Folder::Folder(std::filesystem::path path, Announce announce)
+Folder::Folder(std::filesystem::path path, Announce announce, std::chrono::milliseconds patience)
     : path_(std::move(path)), announce_(std::move(announce)) {
-  const int opened = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (opened < 0) refuse("open folder", path_);
-  // The system drops the lock with the process that holds it, however that one ends.
-  if (retried([&] { return ::flock(opened, LOCK_EX); }) != 0 && !has_no_locks(errno)) {
-    const int reason = errno;
-    ::close(opened);
-    refuse("lock folder", path_, reason);
-  }
-  descriptor_ = opened;
+  Descriptor opened(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.value() < 0) refuse("open folder", path_);
+  lock(opened.value(), patience, path_);
+  descriptor_ = opened.release();
 }
 
 Folder::~Folder() { ::close(descriptor_); }

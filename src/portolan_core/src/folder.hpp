@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -15,8 +16,10 @@ class Folder {
  public:
   using Announce = std::function<void(const std::string& change)>;
 
-  /// Waits until the folder is free. `announce` is called before each change.
-  explicit Folder(std::filesystem::path path, Announce announce = {});
+  /// Waits until the folder is free; throws std::runtime_error where it is not for so long.
+  /// `announce` is called before each change.
+  explicit Folder(std::filesystem::path path, Announce announce = {},
+                  std::chrono::milliseconds patience = std::chrono::seconds(30));
   ~Folder();
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;

@@ -25,8 +25,7 @@ constexpr std::size_t kMaxJournalBytes = 1 << 20;
 std::string temporary(const std::string& name) { return kTemporary + name; }
 
 void check_name(const std::string& name) {
-  const auto is_bad = [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; };
-  if (name.empty() || name.front() == '.' || std::any_of(name.begin(), name.end(), is_bad)) {
+  if (!is_bare_name(name)) {
     throw std::runtime_error("refused file name '" + name +
                              "': it must be a bare name that does not begin with a dot");
   }
@@ -106,6 +105,12 @@ void withdraw(Folder& folder) {
 
 }  // namespace
 
+bool is_bare_name(const std::string& name) {
+  const auto is_bad = [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; };
+  return !name.empty() && name.front() != '.' && name.find("..") == std::string::npos &&
+         std::none_of(name.begin(), name.end(), is_bad);
+}
+
 namespace map_file_detail {
 
 void save_files(const std::filesystem::path& folder, const FileSet& files,
@@ -141,11 +146,27 @@ void recover(const std::filesystem::path& folder) {
 
 FileSet load_files(const std::filesystem::path& folder, const std::vector<std::string>& names,
                    std::size_t max_bytes) {
+  return load_files(folder, names, max_bytes,
+                    [](const FileSet& /*found*/) { return std::vector<std::string>{}; });
+}
+
+FileSet load_files(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                   std::size_t max_bytes,
+                   const std::function<std::vector<std::string>(const FileSet& found)>& more) {
   std::for_each(names.begin(), names.end(), check_name);
   Folder locked(folder);
   if (locked.has(kJournal)) finish_committed(locked);
   FileSet files;
-  for (const std::string& name : names) files[name] = locked.read(name, max_bytes);
+  const auto read = [&](const std::string& name) {
+    check_name(name);
+    if (files.count(name) == 0) files[name] = locked.read(name, max_bytes);
+  };
+  std::for_each(names.begin(), names.end(), read);
+  for (std::size_t before = 0; before < files.size();) {
+    before = files.size();
+    const std::vector<std::string> further = more(files);
+    std::for_each(further.begin(), further.end(), read);
+  }
   return files;
 }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan/map_file.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 
+#include "folder.hpp"
 #include "map_file_fixture.hpp"
 
 namespace portolan {
@@ -31,8 +36,8 @@ TEST_F(MapFile, ReplacesItsOwnFilesAndNoOthers) {
 }
 
 TEST_F(MapFile, RefusesNamesThatLeaveTheFolderOrHide) {
-  const std::vector<std::string> bad = {
-      "", ".", "..", "../map", "a/b", "/map", ".map", "a\nb", std::string("a\0b", 3)};
+  const std::vector<std::string> bad = {"",     ".",    "..",   "../map", "a/b",
+                                        "/map", ".map", "a..b", "a\nb",   std::string("a\0b", 3)};
   for (const std::string& name : bad) {
     const std::string expected = "refused file name '" + name.substr(0, name.find('\0'));
     EXPECT_EQ(message_of([&] {
@@ -52,6 +57,31 @@ TEST_F(MapFile, SaysWhichFolderIsMissing) {
   EXPECT_NE(message_of([&] { save_files(missing, pair_of(1)); }).find(expected), std::string::npos);
   EXPECT_NE(message_of([&] { recover(missing); }).find(expected), std::string::npos);
   EXPECT_NE(message_of([&] { load_file(missing / "map.pgm", kMaxBytes); }).find(expected),
+            std::string::npos);
+}
+
+TEST_F(MapFile, DoesNotWaitForEverForAProcessThatHoldsTheFolder) {
+  const int held = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  const auto enter = [&] { Folder(folder, {}, std::chrono::milliseconds(20)); };
+  EXPECT_NE(message_of(enter).find("cannot lock folder " + folder.string()), std::string::npos);
+  ::close(held);
+  EXPECT_NO_THROW(enter());
+}
+
+TEST_F(MapFile, LoadsWhatFilesName) {
+  save_files(folder, {{"a", "b"}, {"b", "c"}, {"c", "a"}, {"d", "e"}});
+  const auto named = [](const FileSet& found) {
+    std::vector<std::string> names;
+    for (const auto& [name, content] : found) names.push_back(content);
+    return names;
+  };
+  EXPECT_EQ(load_files(folder, {"a"}, kMaxBytes, named),
+            (FileSet{{"a", "b"}, {"b", "c"}, {"c", "a"}}));
+  EXPECT_NE(message_of([&] { load_files(folder, {"d"}, kMaxBytes, named); }).find("cannot read"),
+            std::string::npos);
+  put("f", "../a");
+  EXPECT_NE(message_of([&] { load_files(folder, {"f"}, kMaxBytes, named); }).find("refused"),
             std::string::npos);
 }
 

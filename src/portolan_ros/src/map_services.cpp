@@ -43,7 +43,9 @@ MapServices::MapServices(ros::NodeHandle& private_handle, Actions actions)
 std::filesystem::path folder_of(const std::string& map_directory) {
   if (map_directory != "~" && map_directory.rfind("~/", 0) != 0) return map_directory;
   const char* home = std::getenv("HOME");
-  if (home == nullptr) throw std::runtime_error("map_directory names the home, but HOME is unset");
+  if (home == nullptr || *home == '\0') {
+    throw std::runtime_error("map_directory names the home, but HOME is unset");
+  }
   return std::filesystem::path(home) / map_directory.substr(map_directory.size() > 1 ? 2 : 1);
 }
 
@@ -58,9 +60,9 @@ std::string keep_files(const std::string& map_directory, const FileSet& files) {
 }
 
 const std::string& checked_map_name(const std::string& name) {
-  const bool bare = !name.empty() && name.front() != '.' && name.find('/') == std::string::npos &&
-                    name.find('\0') == std::string::npos && name.find("..") == std::string::npos;
-  if (!bare) throw std::invalid_argument("map_name \"" + name + "\" is no bare file name");
+  if (!is_bare_name(name)) {
+    throw std::invalid_argument("map_name \"" + name + "\" is no bare file name");
+  }
   return name;
 }
 

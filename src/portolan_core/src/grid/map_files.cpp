@@ -7,11 +7,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "portolan/grid/fuse.hpp"
 #include "portolan/grid/map_picture.hpp"
+#include "portolan/options/value.hpp"
 
 namespace portolan {
 
@@ -22,6 +24,10 @@ constexpr std::size_t kMaxBytes = 1U << 30;
 
 std::string name_of(const std::string& name, GridLayer layer) {
   return name + "_" + enum_names(layer)[static_cast<std::size_t>(layer)];
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 // The line of the fused map's YAML that names its layers: beside it may lie those of an older map.
@@ -35,17 +41,18 @@ std::string layers_line(const std::vector<GridLayer>& layers) {
 }
 
 // The layers that a well-formed YAML names; none where it is not ours.
-std::vector<GridLayer> layers_in(const std::string& yaml) {
+std::set<GridLayer> layers_in(const std::string& yaml, const std::string& file) try {
+  std::set<GridLayer> layers;
   const YAML::Node named = YAML::Load(yaml)["layers"];
-  const auto is_named = [&named](const std::string& name) {
-    return std::any_of(named.begin(), named.end(),
-                       [&](const YAML::Node& node) { return node.Scalar() == name; });
-  };
-  std::vector<GridLayer> layers;
-  for (GridLayer layer : kGridLayers) {
-    if (is_named(enum_names(layer)[static_cast<std::size_t>(layer)])) layers.push_back(layer);
+  if (!named.IsDefined()) return layers;
+  for (const auto& name : named.as<std::vector<std::string>>()) {
+    layers.insert(options_detail::parse<GridLayer>(name));
   }
   return layers;
+} catch (const YAML::Exception&) {
+  throw std::runtime_error(file + ": layers must be a list of names");
+} catch (const std::invalid_argument& expected) {
+  throw std::runtime_error(file + ": a layer must be " + expected.what());
 }
 
 std::uint8_t pixel_of(double p, const MapPicture& picture) {
@@ -234,7 +241,8 @@ GridMapper read_map_files(const FileSet& files, const std::string& name,
   checked(options);
   const MapPicture fused = picture_in(files, name, options);
   Layers layers;
-  for (GridLayer layer : layers_in(file_in(files, name + ".yaml"))) {
+  const std::string head = name + ".yaml";
+  for (GridLayer layer : layers_in(file_in(files, head), head)) {
     layers[layer] = picture_in(files, name_of(name, layer), options);
   }
   if (layers.empty()) return GridMapper(options, {laser_layer(fused, options)});
@@ -247,14 +255,17 @@ GridMapper read_map_files(const FileSet& files, const std::string& name,
 GridMapper load_map(const std::filesystem::path& folder, const std::string& name,
                     const GridMapper::Options& options) {
   const std::string head = name + ".yaml";
-  const std::string fused = load_files(folder, {head}, kMaxBytes).at(head);
-  std::vector<std::string> names = {head, image_of(fused, head)};
-  for (GridLayer layer : layers_in(fused)) {
-    const std::string file = name_of(name, layer) + ".yaml";
-    names.push_back(file);
-    names.push_back(image_of(load_files(folder, {file}, kMaxBytes).at(file), file));
-  }
-  return read_map_files(load_files(folder, names, kMaxBytes), name, options);
+  const auto more = [&](const FileSet& found) {
+    std::vector<std::string> names;
+    for (GridLayer layer : layers_in(found.at(head), head)) {
+      names.push_back(name_of(name, layer) + ".yaml");
+    }
+    for (const auto& [file, content] : found) {
+      if (ends_with(file, ".yaml")) names.push_back(image_of(content, file));
+    }
+    return names;
+  };
+  return read_map_files(load_files(folder, {head}, kMaxBytes, more), name, options);
 }
 
 }  // namespace portolan

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "portolan/grid/pgm.hpp"
+#include "portolan/map_file.hpp"
 #include "portolan/options/value.hpp"
 
 namespace portolan {
@@ -67,6 +68,10 @@ void read_keys(const YAML::Node& keys, const std::string& file, MapPicture& pict
   if (picture.resolution <= 0.0) fail(file, "resolution must be above 0");
   picture.occupied_thresh = number(keys["occupied_thresh"], "occupied_thresh", file);
   picture.free_thresh = number(keys["free_thresh"], "free_thresh", file);
+  if (picture.free_thresh < 0.0 || picture.occupied_thresh > 1.0 ||
+      picture.free_thresh > picture.occupied_thresh) {
+    fail(file, "0 <= free_thresh <= occupied_thresh <= 1 must hold");
+  }
   if (keys["mode"]) picture.mode = keys["mode"].as<std::string>("");
   if (picture.mode != "trinary" && picture.mode != "scale") {
     fail(file, "mode must be trinary or scale");
@@ -102,8 +107,7 @@ std::string image_of(const std::string& yaml, const std::string& file) {
   const YAML::Node keys = parse(yaml, file);
   const YAML::Node named = keys["image"];
   const std::string image = named.IsDefined() && named.IsScalar() ? named.Scalar() : "";
-  const bool is_bare = image.find('/') == std::string::npos && !image.empty() && image[0] != '.';
-  if (!is_bare) fail(file, "image must be the bare name of a file beside it");
+  if (!is_bare_name(image)) fail(file, "image must be the bare name of a file beside it");
   return image;
 }
 
