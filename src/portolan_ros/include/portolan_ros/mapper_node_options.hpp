@@ -36,6 +36,7 @@ struct PipelineOptions {
           "when the clock runs back: start anew, or keep a map that corrections no longer move");
     PosedInputOptions::describe(self.posing, visit);
     RemapperOptions::describe(self.remapper, visit);
+    visit.require(!self.base_frame.empty(), "base_frame must not be empty");
   }
 };
 

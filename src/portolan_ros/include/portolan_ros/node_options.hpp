@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "portolan/map_file.hpp"
 #include "portolan/options.hpp"
 
 namespace portolan {
@@ -27,6 +28,10 @@ struct NodeOptions {
           within(0.05, 3600.0));
     visit("diagnostic_period", self.diagnostic_period, "time between diagnostics [s]",
           within(0.05, 60.0));
+    visit.require(!self.map_frame.empty(), "map_frame must not be empty");
+    visit.require(!self.map_directory.empty(), "map_directory must not be empty");
+    visit.require(is_bare_name(self.map_name),
+                  "map_name must be a bare file name, without folders: they are map_directory's");
   }
 };
 

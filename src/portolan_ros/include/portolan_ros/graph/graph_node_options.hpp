@@ -51,6 +51,10 @@ struct GraphNodeOptions {
     PosedInputOptions::describe(self.posing, visit);
     GraphOutputOptions::describe(self.output, visit);
     PoseGraphOptions::describe(self.graph, visit);
+    visit.require(!self.base_frame.empty(), "base_frame must not be empty");
+    visit.require(
+        self.node.map_frame != self.posing.odom_frame,
+        "map_frame and odom_frame must be two: the graph says how one drifts in the other");
   }
 };
 
