@@ -34,7 +34,7 @@ FileSet LandmarkKind::pictures(const LandmarkMapper& map, const std::string& nam
   for (const LandmarkEstimate& landmark : map.estimates()) {
     if (landmark.form == LandmarkForm::direction) continue;
     BeaconEstimate drawn;
-    drawn.id = static_cast<BeaconId>(std::abs(landmark.id));
+    drawn.id = static_cast<BeaconId>(std::abs(std::int64_t{landmark.id}));
     drawn.ambiguous = landmark.form != LandmarkForm::point;
     drawn.modes.push_back({1.0, landmark.mean, landmark.covariance});
     scene.beacons.push_back(drawn);
