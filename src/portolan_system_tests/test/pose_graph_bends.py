@@ -131,6 +131,15 @@ class PoseGraphBends(case.NodeCase):
         self.check_a_false_loop_leaves_no_trace(graph, grid, corrections)
         self.check_a_graph_that_goes_on(graph, robot)
 
+    def test_who_listens_to_one_topic_in_place_of_another_gets_it(self):
+        self.node(program="pose_graph", parameters={"publish_interval": 2.0})
+        paths = []
+        subscriber = rospy.Subscriber(f"{self.namespace}/path", Path, paths.append)
+        eventually(lambda: paths, "the empty graph's path comes")
+        subscriber.unregister()
+        graphs = self.latest("pose_graph", PoseGraph)
+        eventually(lambda: graphs, "the empty graph comes")
+
     def check_tf_goes_on_while_the_node_is_busy(self, graph, tfs):
         """Held up by somebody else's lock on its folder, the node still says where the map is."""
         directory = self.folder / self.namespace[1:]

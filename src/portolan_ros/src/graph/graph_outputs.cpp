@@ -20,32 +20,42 @@ GraphOutputs::GraphOutputs(ros::NodeHandle& handle, const GraphNodeOptions& opti
     : options_(options),
       source_(source),
       correction_(handle.advertise<portolan_msgs::DriftCorrection>("drift_correction", 1, true)),
-      path_(handle.advertise<nav_msgs::Path>("path", 1, true)),
-      graph_(handle.advertise<portolan_msgs::PoseGraph>("pose_graph", 1, true)),
-      markers_(handle.advertise<visualization_msgs::MarkerArray>("pose_graph_vis", 1, true)) {
+      path_(handle, "path", 0.0,
+            [this] {
+              return stamped(ros_convert::path(source_.graph().graph(), options_.node.map_frame));
+            }),
+      graph_(handle, "pose_graph", 0.0,
+             [this] {
+               return stamped(ros_convert::pose_graph(source_.graph(), options_.node.map_frame));
+             }),
+      markers_(handle, "pose_graph_vis", 0.0, [this] {
+        return ros_convert::graph_markers(source_.graph().graph(), options_.node.map_frame);
+      }) {
   if (options.output.publish_tf) tf_.emplace(options.node.map_frame, options.posing.odom_frame);
 }
 
 void GraphOutputs::publish(const ros::Time& stamp) {
+  publish_drift(stamp);
+  stamp_ = stamp;
+  // From 1, so that an empty graph is published too. Arcs come without moving what is there.
+  const PoseGraph& graph = source_.graph();
+  const std::uint64_t revision = 1 + graph.generation() + graph.graph().arcs().size();
+  path_.publish({source_.restarts(), revision});
+  graph_.publish({source_.restarts(), revision});
+  markers_.publish({source_.restarts(), revision});
+}
+
+void GraphOutputs::publish_drift(const ros::Time& stamp) {
   const Correction correction = source_.graph().correction();
   const Version version{source_.restarts(), source_.graph().generation()};
-  if (version != sent_version_ || drift_changed(correction) || is_settled(correction)) {
-    portolan_msgs::DriftCorrection message =
-        ros_convert::correction(correction, options_.node.map_frame, options_.posing.odom_frame);
-    message.header.stamp = stamp;
-    correction_.publish(message);
-    sent_ = correction;
-    sent_version_ = version;
-    if (tf_) tf_->set(last_of(sent_));
-  }
-  const std::size_t arcs = source_.graph().graph().arcs().size();
-  const std::uint32_t listeners =
-      path_.getNumSubscribers() + graph_.getNumSubscribers() + markers_.getNumSubscribers();
-  const bool is_shown = version == shown_version_ && arcs == shown_arcs_;
-  if (!is_shown || listeners > listeners_) publish_visuals(stamp);
-  listeners_ = listeners;
-  shown_version_ = version;
-  shown_arcs_ = arcs;
+  if (version == sent_version_ && !drift_changed(correction) && !is_settled(correction)) return;
+  portolan_msgs::DriftCorrection message =
+      ros_convert::correction(correction, options_.node.map_frame, options_.posing.odom_frame);
+  message.header.stamp = stamp;
+  correction_.publish(message);
+  sent_ = correction;
+  sent_version_ = version;
+  if (tf_) tf_->set(last_of(sent_));
 }
 
 bool GraphOutputs::drift_changed(const Correction& correction) const {
@@ -66,21 +76,10 @@ bool GraphOutputs::is_settled(const Correction& correction) {
   return is_quiet && sent_.knots().size() != keyframes_;
 }
 
-void GraphOutputs::publish_visuals(const ros::Time& stamp) {
-  const PoseGraph& graph = source_.graph();
-  if (path_.getNumSubscribers() > 0) {
-    nav_msgs::Path message = ros_convert::path(graph.graph(), options_.node.map_frame);
-    message.header.stamp = stamp;
-    path_.publish(message);
-  }
-  if (graph_.getNumSubscribers() > 0) {
-    portolan_msgs::PoseGraph message = ros_convert::pose_graph(graph, options_.node.map_frame);
-    message.header.stamp = stamp;
-    graph_.publish(message);
-  }
-  if (markers_.getNumSubscribers() > 0) {
-    markers_.publish(ros_convert::graph_markers(graph.graph(), options_.node.map_frame));
-  }
+template <class Message>
+Message GraphOutputs::stamped(Message message) const {
+  message.header.stamp = stamp_;
+  return message;
 }
 
 }  // namespace portolan

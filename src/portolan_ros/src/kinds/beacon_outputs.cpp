@@ -7,36 +7,29 @@
 namespace portolan {
 
 BeaconOutputs::BeaconOutputs(ros::NodeHandle& handle, const BeaconOutputOptions& options,
-                             std::string map_frame, const Remapper<BeaconMapper>& source)
-    : source_(source), options_(options), map_frame_(std::move(map_frame)) {
-  const ros::SubscriberStatusCallback came = [this](const ros::SingleSubscriberPublisher&) {
-    someone_came_ = true;
-  };
-  const ros::SubscriberStatusCallback left;
-  beacons_ = handle.advertise<portolan_msgs::BeaconMap>("beacons", 1, came, left, {}, true);
-  markers_ =
-      handle.advertise<visualization_msgs::MarkerArray>("beacons_vis", 1, came, left, {}, true);
-}
+                             const std::string& map_frame, const Remapper<BeaconMapper>& source)
+    : source_(source),
+      map_frame_(map_frame),
+      beacons_(handle, "beacons", 0.0, [this] { return map(); }),
+      markers_(handle, "beacons_vis", 0.0, [this, stddevs = options.marker_stddevs] {
+        return ros_convert::beacon_markers(map(), stddevs);
+      }) {}
 
 void BeaconOutputs::publish(const ros::Time& stamp) {
-  const bool map_wanted = beacons_.getNumSubscribers() > 0;
-  const bool markers_wanted = markers_.getNumSubscribers() > 0;
-  if (!map_wanted && !markers_wanted) return;
-  if (!someone_came_ && version() == published_) return;
-  someone_came_ = false;
-  published_ = version();
-  portolan_msgs::BeaconMap map = ros_convert::beacon_map(source_.map());
-  map.header.stamp = stamp;
-  map.header.frame_id = map_frame_;
-  if (map_wanted) beacons_.publish(map);
-  if (markers_wanted) {
-    markers_.publish(ros_convert::beacon_markers(map, options_.marker_stddevs));
-  }
+  stamp_ = stamp;
+  // From 1, so that an empty map is published too.
+  const BeaconCounts& counts = source_.map().counts();
+  const std::uint64_t revision =
+      1 + counts.taken + counts.malformed + counts.too_long + counts.refused;
+  beacons_.publish({source_.generation(), revision});
+  markers_.publish({source_.generation(), revision});
 }
 
-BeaconOutputs::Version BeaconOutputs::version() const {
-  const BeaconCounts& counts = source_.map().counts();
-  return {source_.generation(), counts.taken + counts.malformed + counts.too_long + counts.refused};
+portolan_msgs::BeaconMap BeaconOutputs::map() const {
+  portolan_msgs::BeaconMap message = ros_convert::beacon_map(source_.map());
+  message.header.stamp = stamp_;
+  message.header.frame_id = map_frame_;
+  return message;
 }
 
 }  // namespace portolan

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <portolan_msgs/BeaconMap.h>
 #include <ros/node_handle.h>
-#include <ros/publisher.h>
+#include <visualization_msgs/MarkerArray.h>
 
-#include <cstddef>
 #include <string>
-#include <utility>
 
 #include "portolan/beacon/beacon_mapper.hpp"
 #include "portolan/options.hpp"
 #include "portolan/remapper.hpp"
+#include "portolan_ros/kinds/whole_map_topic.hpp"
 
 namespace portolan {
 
@@ -25,29 +25,24 @@ struct BeaconOutputOptions {
   }
 };
 
-/// The topics of the map of beacons: `beacons`, latched, and `beacons_vis`. Makes messages only
-/// while someone listens and something is new.
+/// The topics of the map of beacons: `beacons` and `beacons_vis`, both latched.
 class BeaconOutputs {
  public:
-  BeaconOutputs(ros::NodeHandle& handle, const BeaconOutputOptions& options, std::string map_frame,
-                const Remapper<BeaconMapper>& source);
-  BeaconOutputs(const BeaconOutputs&) = delete;  // the publishers call back into this object
+  BeaconOutputs(ros::NodeHandle& handle, const BeaconOutputOptions& options,
+                const std::string& map_frame, const Remapper<BeaconMapper>& source);
+  BeaconOutputs(const BeaconOutputs&) = delete;  // the topics call back into this object
   BeaconOutputs& operator=(const BeaconOutputs&) = delete;
 
   void publish(const ros::Time& stamp);
 
  private:
-  /// Which map it is, and how many ranges it was given.
-  using Version = std::pair<std::size_t, std::size_t>;
-  Version version() const;
+  portolan_msgs::BeaconMap map() const;
 
   const Remapper<BeaconMapper>& source_;
-  BeaconOutputOptions options_;
   std::string map_frame_;
-  ros::Publisher beacons_;
-  ros::Publisher markers_;
-  Version published_;
-  bool someone_came_ = false;
+  ros::Time stamp_;
+  WholeMapTopic<portolan_msgs::BeaconMap> beacons_;
+  WholeMapTopic<visualization_msgs::MarkerArray> markers_;
 };
 
 }  // namespace portolan
