@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "portolan/time.hpp"
 
@@ -19,5 +20,15 @@ struct Sensed {
   /// each beacon, all with one stamp. Equal for messages that repeat each other.
   std::uint64_t part = 0;
 };
+
+/// The same `part` for messages about the same things, by their ids (FNV-1a).
+template <class Thing>
+std::uint64_t part_about(const std::vector<Thing>& things) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const Thing& thing : things) {
+    hash = (hash ^ static_cast<std::uint32_t>(thing.id)) * 1099511628211U;
+  }
+  return hash;
+}
 
 }  // namespace portolan

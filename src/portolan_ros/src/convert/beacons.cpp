@@ -12,13 +12,6 @@ namespace portolan::ros_convert {
 
 namespace {
 
-/// The same for messages about the same beacons (FNV-1a over their ids).
-std::uint64_t part_of(const BeaconRanges& z) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const BeaconRange& range : z.ranges) hash = (hash ^ range.id) * 1099511628211U;
-  return hash;
-}
-
 portolan_msgs::BeaconMode beacon_mode(const BeaconMode& mode) {
   portolan_msgs::BeaconMode message;
   message.weight = mode.weight;
@@ -69,7 +62,7 @@ std::optional<Sensed<BeaconRanges>> beacon_ranges(const portolan_msgs::BeaconRan
   }
   if (!is_usable(z)) return std::nullopt;
   const Time stamp = time(message.header.stamp);
-  const std::uint64_t part = part_of(z);
+  const std::uint64_t part = part_about(z.ranges);
   return Sensed<BeaconRanges>{message.header.frame_id, stamp, stamp, std::move(z), part};
 }
 

@@ -13,16 +13,6 @@ namespace portolan::ros_convert {
 
 namespace {
 
-/// The same for messages about the same landmarks (FNV-1a over identities).
-template <class Seen>
-std::uint64_t part_of(const std::vector<Seen>& seen) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const Seen& one : seen) {
-    hash = (hash ^ static_cast<std::uint32_t>(one.id)) * 1099511628211U;
-  }
-  return hash;
-}
-
 LandmarkSighting sighting(const portolan_msgs::LandmarkSighting& message) {
   LandmarkSighting sighting;
   sighting.id = message.id;
@@ -33,17 +23,6 @@ LandmarkSighting sighting(const portolan_msgs::LandmarkSighting& message) {
   sighting.azimuth_stddev = message.azimuth_stddev;
   sighting.elevation_stddev = message.elevation_stddev;
   return sighting;
-}
-
-geometry_msgs::Pose pose(const Pose& T) {
-  const Eigen::Quaterniond q(T.linear());
-  geometry_msgs::Pose message;
-  message.position = vector<geometry_msgs::Point>(T.translation());
-  message.orientation.x = q.x();
-  message.orientation.y = q.y();
-  message.orientation.z = q.z();
-  message.orientation.w = q.w();
-  return message;
 }
 
 portolan_msgs::Landmark landmark(const LandmarkEstimate& estimate) {
@@ -77,7 +56,7 @@ std::optional<Sensed<LandmarkSightings>> landmark_sightings(
   }
   if (!is_usable(z)) return std::nullopt;
   const Time stamp = time(message.header.stamp);
-  const std::uint64_t part = part_of(z.sightings);
+  const std::uint64_t part = part_about(z.sightings);
   return Sensed<LandmarkSightings>{message.header.frame_id, stamp, stamp, std::move(z), part};
 }
 
@@ -92,7 +71,7 @@ std::optional<Sensed<FramedFeatures>> image_features(const portolan_msgs::ImageF
                   [](const ImageFeature& feature) { return is_usable(feature); });
   if (!any_usable && !z.features.empty()) return std::nullopt;
   const Time stamp = time(message.header.stamp);
-  const std::uint64_t part = part_of(z.features);
+  const std::uint64_t part = part_about(z.features);
   return Sensed<FramedFeatures>{message.header.frame_id, stamp, stamp, std::move(z), part};
 }
 

@@ -5,6 +5,7 @@
 
 #include "portolan/pose_covariance.hpp"
 #include "portolan_ros/convert/basics.hpp"
+#include "portolan_ros/convert/eigen_messages.hpp"
 
 namespace portolan::ros_convert {
 
@@ -30,13 +31,7 @@ std::size_t style_of(const Arc& arc) {
   return static_cast<std::size_t>(arc.kind);
 }
 
-geometry_msgs::Point point(const Pose& T) {
-  geometry_msgs::Point p;
-  p.x = T.translation().x();
-  p.y = T.translation().y();
-  p.z = T.translation().z();
-  return p;
-}
+geometry_msgs::Point point(const Pose& T) { return vector<geometry_msgs::Point>(T.translation()); }
 
 Marker marker(const Style& style, std::int32_t type, double width, const std::string& map_frame) {
   Marker marker;
@@ -63,9 +58,7 @@ portolan_msgs::GraphArc graph_arc(const Graph& graph, std::size_t index) {
   message.from = arc.from;
   message.to = arc.to;
   message.pose = pose(arc.T_from_to);
-  for (Eigen::Index i = 0; i < 36; ++i) {
-    message.information[static_cast<std::size_t>(i)] = arc.information(i / 6, i % 6);
-  }
+  fill(arc.information, message.information);
   message.kind = static_cast<std::uint8_t>(arc.kind);
   message.state = static_cast<std::uint8_t>(arc.state);
   message.reason = enum_names(ArcReason{}).at(static_cast<std::size_t>(arc.reason));
