@@ -6,6 +6,11 @@
 
 namespace portolan::yaml_values {
 
+void check_version(const YAML::Node& head, int version, const std::string& things) {
+  require(head.IsMap() && head["version"].IsDefined(), "no version: not a map of " + things);
+  require(head["version"].as<int>() == version, "version must be " + std::to_string(version));
+}
+
 double finite_number(const YAML::Node& node, const std::string& name) {
   require(node.IsDefined() && node.IsScalar(), name + " is missing");
   const auto value = node.as<double>();

@@ -32,6 +32,10 @@ inline void require(bool holds, const std::string& fault) {
   if (!holds) throw std::runtime_error(fault);
 }
 
+/// Throws where what stands before a list, or a whole file, does not say that it is a map of
+/// `things` of this version.
+void check_version(const YAML::Node& head, int version, const std::string& things);
+
 double finite_number(const YAML::Node& node, const std::string& name);
 
 template <int rows, int columns>

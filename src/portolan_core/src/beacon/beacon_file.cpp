@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "portolan/yaml_items.hpp"
 #include "portolan/yaml_values.hpp"
 
 namespace portolan {
@@ -19,10 +20,12 @@ namespace {
 constexpr int kVersion = 1;
 using options_detail::format_double;
 
+using yaml_values::check_version;
 using yaml_values::covariance;
 using yaml_values::finite_number;
 using yaml_values::listed;
 using yaml_values::matrix;
+using yaml_values::read_items;
 using yaml_values::require;
 
 std::string shown(const BeaconMode& mode) {
@@ -91,17 +94,18 @@ double read_at_least(double least, const YAML::Node& root, const std::string& na
   return value;
 }
 
-BeaconMapper read_map(const YAML::Node& root, const BeaconOptions& options) {
-  require(root.IsMap() && root["version"].IsDefined(), "no version: not a map of beacons");
-  require(root["version"].as<int>() == kVersion, "version must be " + std::to_string(kVersion));
-  require(root["beacons"].IsDefined() && root["beacons"].IsSequence(), "beacons is missing");
+BeaconMapper read_map(const std::string& text, const BeaconOptions& options) {
   std::map<BeaconId, BeaconTrack> tracks;
-  for (const YAML::Node& node : root["beacons"]) {
+  const auto take = [&](const YAML::Node& head, const YAML::Node& node) {
+    check_version(head, kVersion, "beacons");
     require(node.IsMap() && node["id"].IsDefined(), "a beacon has no id");
     const auto id = node["id"].as<BeaconId>();
     const std::string name = "beacon " + std::to_string(id);
     require(tracks.emplace(id, read_track(node, name, options)).second, name + " is there twice");
-  }
+  };
+  const YAML::Node root = read_items(text, "beacons", take);
+  check_version(root, kVersion, "beacons");
+  require(root["beacons"].IsDefined() && root["beacons"].IsSequence(), "beacons is missing");
   const BeaconMapper fresh(options);
   const CalibrationPrior prior = read_calibration(root["calibration"], fresh.knowledge());
   return BeaconMapper::restored(options, prior, read_at_least(0.0, root, "drift", fresh.drift()),
@@ -127,7 +131,7 @@ std::string to_yaml(const BeaconMapper& mapper) {
 
 BeaconMapper beacons_from_yaml(const std::string& text, const BeaconOptions& options) {
   try {
-    return read_map(YAML::Load(text), options);
+    return read_map(text, options);
   } catch (const YAML::Exception& error) {
     throw std::runtime_error(error.what());
   }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "portolan/yaml_items.hpp"
 #include "portolan/yaml_values.hpp"
 
 namespace portolan {
@@ -19,10 +20,12 @@ namespace {
 constexpr int kVersion = 1;
 using options_detail::format_double;
 
+using yaml_values::check_version;
 using yaml_values::covariance;
 using yaml_values::finite_number;
 using yaml_values::listed;
 using yaml_values::matrix;
+using yaml_values::read_items;
 using yaml_values::require;
 
 std::string shown_ray(const Place& ray) {
@@ -96,20 +99,21 @@ LandmarkTrack read_track(const YAML::Node& node, const std::string& name) {
           !(flat.IsDefined() && flat.as<bool>())};
 }
 
-LandmarkMapper read_map(const YAML::Node& root, const LandmarkOptions& options) {
-  require(root.IsMap() && root["version"].IsDefined(), "no version: not a map of landmarks");
-  require(root["version"].as<int>() == kVersion, "version must be " + std::to_string(kVersion));
-  require(root["landmarks"].IsDefined() && root["landmarks"].IsSequence(), "landmarks is missing");
+LandmarkMapper read_map(const std::string& text, const LandmarkOptions& options) {
   std::set<LandmarkId> ids;
   std::vector<std::pair<LandmarkId, LandmarkTrack>> tracks;
-  for (const YAML::Node& node : root["landmarks"]) {
+  const auto take = [&](const YAML::Node& head, const YAML::Node& node) {
+    check_version(head, kVersion, "landmarks");
     require(node.IsMap() && node["id"].IsDefined(), "a landmark has no id");
     const auto id = node["id"].as<LandmarkId>();
     const std::string name = "landmark " + std::to_string(id);
     require(id != LandmarkSighting::kUnknown, name + ": -1 says unknown");
     require(ids.insert(id).second, name + " is there twice");
     tracks.emplace_back(id, read_track(node, name));
-  }
+  };
+  const YAML::Node root = read_items(text, "landmarks", take);
+  check_version(root, kVersion, "landmarks");
+  require(root["landmarks"].IsDefined() && root["landmarks"].IsSequence(), "landmarks is missing");
   return LandmarkMapper::restored(options, tracks);
 }
 
@@ -126,7 +130,7 @@ std::string to_yaml(const LandmarkMapper& mapper) {
 
 LandmarkMapper landmarks_from_yaml(const std::string& text, const LandmarkOptions& options) {
   try {
-    return read_map(YAML::Load(text), options);
+    return read_map(text, options);
   } catch (const YAML::Exception& error) {
     throw std::runtime_error(error.what());
   }
