@@ -182,7 +182,7 @@ class BeaconsMap(beacons.BeaconCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         offline = files_of(self.folder / "maps", "")
-        self.assertEqual(set(offline), {"beacons.yaml", "beacons.png", "trajectory.tum", "summary.yaml"})
+        self.assertEqual(set(offline), {"beacons.yaml", "beacons.png", "trajectory.tum", "summary.yaml", "report.md"})
         self.assertEqual(max(png_size(offline["beacons.png"])), 1000)
         node = self.node()
         subprocess.run(bags.play_command(bag, node.namespace, rate=3), stdin=subprocess.DEVNULL,

@@ -194,7 +194,7 @@ class LandmarksMap(case.NodeCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         offline = files_of(self.folder / "maps", "")
-        self.assertEqual(set(offline), {"landmarks.yaml", "landmarks.png", "trajectory.tum", "summary.yaml"})
+        self.assertEqual(set(offline), {"landmarks.yaml", "landmarks.png", "trajectory.tum", "summary.yaml", "report.md"})
         self.assertEqual(max(png_size(offline["landmarks.png"])), 1000)
         robot = self.robot()
         node = self.node(program="landmarks")
