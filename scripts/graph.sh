@@ -7,6 +7,7 @@ show_progress() {
   [ -t 1 ] && end=$'\r' step=1
   while read -r word _; do
     [[ $word =~ ^\[([0-9]+)/([0-9]+)\]$ ]] || continue
+    [ "${BASH_REMATCH[2]}" -gt 9 ] || continue  # ninja looks about before it begins
     percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2] / step * step))
     [ "$percent" -eq "$shown" ] || printf 'built: %d %%%s' "$percent" "$end"
     shown=$percent
