@@ -61,7 +61,7 @@ std::string Tally::sentence() const {
     if (!details_[i].empty()) text += " (" + details_[i] + ")";
     separator = ", ";
   }
-  if (waiting() > 0) text += separator + std::to_string(waiting()) + " waiting for tf";
+  if (waiting() > 0) text += separator + std::to_string(waiting()) + " waiting for tf or their turn";
   return text;
 }
 

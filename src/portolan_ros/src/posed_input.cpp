@@ -136,14 +136,17 @@ void PosedInput::receive_odometry(const nav_msgs::Odometry& message, const std::
     covariances_.receive(message, child);
 }
 
-void PosedInput::poll(Time now) {
+void PosedInput::poll(Time now) { use_waiting(now, seconds(options_.order_wait)); }
+
+void PosedInput::settle(Time now) { use_waiting(now, Duration::zero()); }
+
+void PosedInput::use_waiting(Time now, Duration order_wait) {
   if (waiting_.empty()) return;
   for (Waiting& waiting : waiting_) {
     if (waiting.since == Time{}) waiting.since = now;  // it came before the first tick of /clock
   }
   const auto is_in_turn = [&](const Waiting& w) {
-    return now - w.since >= seconds(options_.order_wait) ||
-           order_.is_in_turn(w.input, w.message.first);
+    return now - w.since >= order_wait || order_.is_in_turn(w.input, w.message.first);
   };
   // Where one is in turn, so are all before it.
   const auto last_in_turn = std::find_if(waiting_.rbegin(), waiting_.rend(), is_in_turn);
@@ -164,10 +167,11 @@ void PosedInput::poll(Time now) {
 bool PosedInput::transforms_ran_back() { return std::exchange(tf_ran_back_, false); }
 
 void PosedInput::clear() {
+  for (Waiting& waiting : std::exchange(waiting_, {})) {
+    if (!try_to_use(waiting)) tallies_[waiting.input].drop(Drop::time_ran_back);
+  }
   tf_.clear();
   covariances_.clear();
-  for (const Waiting& waiting : waiting_) tallies_[waiting.input].drop(Drop::time_ran_back);
-  waiting_.clear();
   seen_.clear();
   order_.clear();
   leap_guards_.clear();
@@ -269,8 +273,11 @@ std::string PosedInput::why_not(const Message& message) const {
 
 void PosedInput::make_room() {
   while (waiting_.size() > static_cast<std::size_t>(options_.queue_size)) {
-    tallies_[waiting_.front().input].drop(Drop::queue_full, why_not(waiting_.front().message));
+    Waiting oldest = std::move(waiting_.front());
     waiting_.pop_front();
+    if (!try_to_use(oldest)) {
+      tallies_[oldest.input].drop(Drop::queue_full, why_not(oldest.message));
+    }
   }
 }
 

@@ -43,7 +43,7 @@ TEST(Tally, CountsWhereAReasonTookSome) {
   tally.drop(Drop::malformed);
   EXPECT_EQ(tally.sentence(),
             std::string("6 of 10 scans used: 1 malformed, 2 without a transform (") + kWhy +
-                "), 1 waiting for tf");
+                "), 1 waiting for tf or their turn");
 }
 
 TEST(Tally, CountsWhereThereIsNoDetail) {
@@ -54,7 +54,7 @@ TEST(Tally, CountsWhereThereIsNoDetail) {
 }
 
 TEST(Tally, SaysWhatWaits) {
-  EXPECT_EQ(scans(5, 2).sentence(), "2 of 5 scans used: 3 waiting for tf");
+  EXPECT_EQ(scans(5, 2).sentence(), "2 of 5 scans used: 3 waiting for tf or their turn");
 }
 
 TEST(Tally, KeepsTheLastDetail) {

@@ -53,9 +53,9 @@ TEST(InputOrder, OneThatNeverBringsAnythingIsForgotten) {
 /// Three inputs of a robot whose transforms are known already; messages wait 50 ms for each other.
 class OrderOfInputs : public PosedInputTest {
  protected:
-  void begin() {
+  void begin(double order_wait = 0.05) {
     PosedInputOptions waits = options();
-    waits.order_wait = 0.05;
+    waits.order_wait = order_wait;
     mixed.emplace(waits);
     for (const char* noun : {"a", "b", "c"}) mixed->add_input(noun);
     const auto static_laser = transform("base_link", "laser", 0.0, T_base_laser());
@@ -121,13 +121,38 @@ TEST_F(OrderOfInputs, WaitsNoLongerThanNeeded) {
   EXPECT_EQ(names(), "a b c");
 }
 
-TEST_F(OrderOfInputs, ByDefaultNothingWaitsForOtherInputs) {
-  const std::size_t echoes = input.add_input("echoes");
-  odometry(99.0);
-  odometry(100.0);
-  scan("late", 99.5);
+TEST_F(OrderOfInputs, WaitsForNothingOnceNothingMoreIsComing) {
+  begin();
+  receive(0, "late", 99.5);
+  receive(1, "early", 99.4);
+  EXPECT_EQ(names(), "");
+  mixed->settle(now);
+  EXPECT_EQ(names(), "early late");
+}
+
+TEST_F(OrderOfInputs, LosesNothingThatCanBePosedWhenTooManyWait) {
+  begin();
+  for (int i = 0; i < 3 * options().queue_size; ++i) receive(0, "a", 99.5 + 0.001 * i);
+  EXPECT_EQ(used.size(), 2u * static_cast<std::size_t>(options().queue_size));
+  EXPECT_EQ(mixed->tallies()[0].lost(), 0u);
+}
+
+TEST_F(OrderOfInputs, LosesNothingThatCanBePosedWhenTimeBeginsAnew) {
+  begin();
+  receive(0, "late", 99.5);
+  receive(1, "early", 99.4);
+  mixed->receive(0, message("nowhere", 99.6, 99.6, "camera"), now);
+  EXPECT_EQ(names(), "");
+  mixed->clear();
+  EXPECT_EQ(names(), "early late");
+  EXPECT_EQ(mixed->tallies()[0].dropped(Drop::time_ran_back), 1u);
+}
+
+TEST_F(OrderOfInputs, NoneWaitsIfNothingIsToBeWaitedFor) {
+  begin(0.0);
+  receive(0, "late", 99.5);
   EXPECT_EQ(names(), "late");
-  input.receive(echoes, message("early", 99.4, 99.4), now);
+  receive(1, "early", 99.4);
   EXPECT_EQ(names(), "late early");
 }
 

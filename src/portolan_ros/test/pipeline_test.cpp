@@ -12,7 +12,8 @@ namespace {
 /// A robot that drives along x with 1 m/s, its sensors in its middle.
 class PipelineTest : public testing::Test {
  protected:
-  void begin(const PipelineOptions& options) {
+  void begin(PipelineOptions options) {
+    options.posing.order_wait = 0.0;
     pipeline.emplace(options, ToyMapper::Options());
     scans = pipeline->add_input("scans");
     echoes = pipeline->add_input("echoes");

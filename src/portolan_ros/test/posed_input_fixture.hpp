@@ -95,6 +95,7 @@ class PosedInputTest : public testing::Test {
   static PosedInputOptions options() {
     PosedInputOptions options;
     options.queue_size = 20;
+    options.order_wait = 0.0;
     return options;
   }
 

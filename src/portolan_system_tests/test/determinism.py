@@ -17,7 +17,7 @@ from portolan_testing.subjects import SUBJECTS
 
 ROUND = subjects.SUBJECTS["occupancy_grid"]._replace(look=subjects.sees(
     subjects.scan, subjects.echo, subjects.cloud, subjects.sightings, subjects.ranges))
-# Which of two topics comes first is not the same in each run, unless they wait for each other.
+# Which of two topics comes first is not the same in each run, unless they wait for each other, here for slow machines.
 IN_ORDER = {"tf_wait": 30.0, "order_wait": 1.0}
 RATES = (1.0, 4.0)
 

@@ -4,6 +4,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "portolan_ros/params.hpp"
 #include "portolan_ros/pipeline.hpp"
 #include "portolan_ros/pipeline_diagnosis.hpp"
+#include "portolan_ros/still_clock.hpp"
 #include "portolan_ros/subscriptions.hpp"
 
 namespace portolan {
@@ -63,6 +65,7 @@ class MapperNode {
   typename Kind::Outputs outputs_{handle_, options_.output, options_.node.map_frame,
                                   pipeline_.remapper()};
   PipelineDiagnosis<Kind> diagnosis_{pipeline_};
+  StillClock still_clock_;
   diagnostic_updater::Updater diagnostics_{handle_, private_handle_};
   Subscriptions subscriptions_{handle_};
   MapKeeper<Kind> keeper_{pipeline_.remapper(), options_, [this] { return map_name(); }};
@@ -120,6 +123,7 @@ void MapperNode<Kind>::correct(const portolan_msgs::DriftCorrection& message) {
 template <class Kind>
 void MapperNode<Kind>::redraw() {
   pipeline_.poll(now());
+  if (still_clock_.stands(now(), std::chrono::steady_clock::now())) pipeline_.settle(now());
   const ros::WallTime end =
       ros::WallTime::now() + ros::WallDuration(kRedrawPeriod * options_.redraw_share);
   pipeline_.remapper().replay([end] { return ros::WallTime::now() < end; });

@@ -61,6 +61,9 @@ class Pipeline {
     apply(correction_gate_.overdue(now));
   }
 
+  /// Uses what waits for messages of other topics, since none are coming for now.
+  void settle(Time now) { posed_.settle(now); }
+
   /// Takes a correction that its sender worked out at `stamp`; see CorrectionGate.
   void correct(Correction correction, Time stamp, Time now) {
     poll(now);

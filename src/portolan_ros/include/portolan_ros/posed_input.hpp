@@ -31,7 +31,7 @@ namespace portolan {
 struct PosedInputOptions {
   std::string odom_frame = "odom";
   double tf_wait = 1.0;
-  double order_wait = 0.0;
+  double order_wait = 0.2;
   double tf_buffer = 30.0;
   int queue_size = 200;
 
@@ -45,7 +45,7 @@ struct PosedInputOptions {
     visit("order_wait", self.order_wait,
           "how long a message waits for those of other topics before it [s]", within(0.0, 1.0));
     visit("tf_buffer", self.tf_buffer, "how much of tf is remembered [s]", within(1.0, 3600.0));
-    visit("queue_size", self.queue_size, "messages that may wait for their transform",
+    visit("queue_size", self.queue_size, "messages that may wait for their transform or their turn",
           within(1, 100000));
     visit.require(!self.odom_frame.empty(), "odom_frame must not be empty");
   }
@@ -105,10 +105,14 @@ class PosedInput {
   /// Uses what can be posed now, by stamp, then by input, and drops what has waited too long.
   void poll(Time now);
 
+  /// The same where nothing more is coming for now, as at the end of a bag: none waits for others.
+  void settle(Time now);
+
   /// True once after stamps of transforms ran back.
   bool transforms_ran_back();
 
-  /// Forgets the transforms that move, and what waits for them; static ones stay.
+  /// Uses what waits and can be posed; then forgets the rest and the transforms that move. Static
+  /// ones stay.
   void clear();
 
   const std::vector<Tally>& tallies() const { return tallies_; }
@@ -122,6 +126,7 @@ class PosedInput {
     Time since;
   };
 
+  void use_waiting(Time now, Duration order_wait);
   bool is_timely(const geometry_msgs::TransformStamped& transform, Time now);
   void take_back_doubt(const geometry_msgs::TransformStamped& confirming);
   bool is_repeated(std::size_t input, const Message& message);
