@@ -61,7 +61,8 @@ std::string Tally::sentence() const {
     if (!details_[i].empty()) text += " (" + details_[i] + ")";
     separator = ", ";
   }
-  if (waiting() > 0) text += separator + std::to_string(waiting()) + " waiting for tf or their turn";
+  if (waiting() > 0)
+    text += separator + std::to_string(waiting()) + " waiting for tf or their turn";
   return text;
 }
 
