@@ -7,8 +7,8 @@
 namespace portolan {
 namespace {
 
-constexpr double kWay = 700.0;  // [m]
-constexpr std::size_t kMaxCount = 300;
+constexpr double kWay = 500.0;  // [m]
+constexpr std::size_t kMaxCount = 250;
 
 PoseGraph::Options of_count(std::size_t count) {
   PoseGraph::Options options;
@@ -50,7 +50,7 @@ double rmse(const PoseGraph& graph) {
 }
 
 TEST(FullGraph, GoesOnWithFewerKeyframes) {
-  EXPECT_GT(full().graph.dropped(), 3 * kMaxCount);
+  EXPECT_GT(full().graph.dropped(), 2 * kMaxCount);
   EXPECT_LE(full().graph.keyframes().size(), kMaxCount);
   EXPECT_GT(full().graph.keyframes().size(), kMaxCount / 2);
   EXPECT_EQ(full().truth.size(), unlimited().truth.size());
@@ -68,7 +68,7 @@ TEST(FullGraph, KnowsTheWayAsWell) {
     const Pose there = all.at(keyframe.stamp) * keyframe.T_odom_base;
     sum += (here.translation() - there.translation()).squaredNorm();
   }
-  EXPECT_LT(std::sqrt(sum / static_cast<double>(all.knots().size())), 0.05);
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(all.knots().size())), 0.1);
 }
 
 TEST(FullGraph, StillClosesLoops) {
@@ -116,6 +116,17 @@ TEST(FullGraph, RejectsWhatComesWhereNothingCanGo) {
   EXPECT_EQ(run.truth.size(), 40U);
 }
 
+TEST(FullGraph, GoesOnWithoutTheOldestScans) {
+  PoseGraph::Options options = of_count(kMaxCount);
+  options.keyframes.scan_budget = 0.1;
+  Drive run;
+  drive(run, 0.0, kWay, options);
+  EXPECT_GT(run.graph.forgotten(), 50U);
+  EXPECT_LT(run.graph.forgotten(), run.graph.keyframes().size());
+  EXPECT_GT(run.graph.dropped(), kMaxCount);
+  EXPECT_LT(rmse(run.graph), 0.1);
+}
+
 // Somebody carries the robot, and the graph is full before it is found, and often after.
 TEST(FullGraph, StillFindsARobotThatWasCarried) {
   Drive run = full();
@@ -125,7 +136,7 @@ TEST(FullGraph, StillFindsARobotThatWasCarried) {
   EXPECT_TRUE(run.graph.is_lost());
   go_on(run, kWay + 24.3, kWay + 44.0);
   EXPECT_FALSE(run.graph.is_lost());
-  go_on(run, kWay + 44.1, kWay + 400.0);
+  go_on(run, kWay + 44.1, kWay + 250.0);
   EXPECT_FALSE(run.graph.is_lost());
   EXPECT_GT(run.graph.dropped(), kMaxCount);
 }

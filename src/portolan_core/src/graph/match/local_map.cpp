@@ -74,6 +74,7 @@ void flatten(Surface& surface) {
 void LocalMapMaker::add(const Keyframe& keyframe, const Pose& T_map_base) {
   constexpr double kFurthest = 200.0;  // [m]; false of what is not a number
   if (!(T_map_base.translation().norm() <= kFurthest)) return;
+  if (keyframe.scan.ranges.empty()) return;
   const Pose T_map_sensor = T_map_base * keyframe.T_base_sensor;
   append(scan_surface(keyframe.scan, options_), T_map_sensor, map_.surface);
   map_.views.push_back({&keyframe.scan, T_map_sensor});

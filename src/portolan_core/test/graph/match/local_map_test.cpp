@@ -52,6 +52,16 @@ TEST(LocalMap, LeavesOutWhatABentGraphHasPutFarAway) {
   EXPECT_EQ(map.surface.size(), map_of(a).surface.size());
 }
 
+TEST(LocalMap, LeavesOutKeyframesThatForgotWhatTheySaw) {
+  const Keyframe a = keyframe_in(room(), Pose::Identity(), 1);
+  LocalMapMaker maker(SurfaceOptions{});
+  maker.add(Keyframe{}, Pose::Identity());
+  maker.add(a, Pose::Identity());
+  const LocalMap map = std::move(maker).make();
+  EXPECT_EQ(map.views.size(), 1U);
+  EXPECT_GT(agreement(map, map_of(a), Pose::Identity(), 0.1).shared, 0.9);
+}
+
 TEST(Agreement, IsFullInTheSamePlaceAndLowElsewhere) {
   const Pose T_a_b = planar_pose(0.8, -0.4, 0.5);
   const Keyframe a = keyframe_in(room(), Pose::Identity(), 1);

@@ -28,6 +28,7 @@ class LocalMapMaker {
   explicit LocalMapMaker(const SurfaceOptions& options) : options_(options) {}
 
   /// A keyframe over 200 m away is left out: a false arc bent the graph apart there.
+  /// One whose scan was given up adds nothing.
   void add(const Keyframe& keyframe, const Pose& T_map_base);
   LocalMap make() &&;
 
