@@ -180,6 +180,8 @@ void PosedInput::clear() {
 
 bool PosedInput::is_repeated(std::size_t input, const Message& message) {
   constexpr std::size_t kRemembered = 256;
+  constexpr std::size_t kSensors = 1000;  // more make up a name for each message
+  if (seen_.size() > kSensors) seen_.clear();
   auto& seen = seen_[{input, message.frame}];
   if (!seen.insert({message.first, message.part}).second) return true;
   if (seen.size() > kRemembered) seen.erase(seen.begin());

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "portolan_ros/convert/pose_graph.hpp"
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 #include "portolan/pose_covariance.hpp"
 #include "portolan_ros/convert/basics.hpp"
@@ -47,6 +49,26 @@ Marker marker(const Style& style, std::int32_t type, double width, const std::st
   marker.color.b = style.blue;
   marker.color.a = 1.0F;
   return marker;
+}
+
+bool can_be_taken_out(const Arc& arc) {
+  const bool is_loop = arc.kind == ArcKind::loop || arc.kind == ArcKind::given;
+  return is_loop && arc.state == ArcState::accepted;
+}
+
+// Half-way along the arc.
+Marker index_marker(const Graph& graph, std::size_t index, const std::string& map_frame) {
+  constexpr double kHeight = 0.3;  // of a letter [m]
+  const Arc& arc = graph.arcs()[index];
+  Marker text = marker({"indices", 0.1F, 0.1F, 0.4F}, Marker::TEXT_VIEW_FACING, kHeight, map_frame);
+  text.id = static_cast<std::int32_t>(index);
+  text.text = std::to_string(index);
+  const Eigen::Vector3d p_map =
+      (graph.at(arc.from).T_map_pose.translation() + graph.at(arc.to).T_map_pose.translation()) /
+      2.0;
+  text.pose.position = vector<geometry_msgs::Point>(p_map);
+  text.pose.position.z += kHeight;
+  return text;
 }
 
 }  // namespace
@@ -127,9 +149,16 @@ visualization_msgs::MarkerArray graph_markers(const Graph& graph, const std::str
   Marker dots = marker({"keyframes", 0.1F, 0.1F, 0.1F}, Marker::POINTS, 0.1, map_frame);
   for (const GraphPose& from : graph.poses()) dots.points.push_back(point(from.T_map_pose));
   all.markers.push_back(dots);
-  for (Marker& one : all.markers) {
-    if (one.points.empty()) one.action = Marker::DELETE;
+  const auto is_empty = [](const Marker& one) { return one.points.empty(); };
+  all.markers.erase(std::remove_if(all.markers.begin(), all.markers.end(), is_empty),
+                    all.markers.end());
+  for (std::size_t i = 0; i < graph.arcs().size(); ++i) {
+    if (can_be_taken_out(graph.arcs()[i])) all.markers.push_back(index_marker(graph, i, map_frame));
   }
+  Marker before;
+  before.header.frame_id = map_frame;
+  before.action = Marker::DELETEALL;
+  all.markers.insert(all.markers.begin(), before);
   return all;
 }
 

@@ -59,6 +59,23 @@ TEST(PoseGraphMessage, MarkersTellKindsOfArcsApart) {
   EXPECT_EQ(points("rejected"), 2U);
   EXPECT_EQ(points("loop"), 0U);
   EXPECT_EQ(points("keyframes"), 3U);
+  EXPECT_EQ(markers.markers.front().action, visualization_msgs::Marker::DELETEALL);
+}
+
+TEST(PoseGraphMessage, MarkersNameTheArcsThatCanBeTakenOut) {
+  const auto indices = [](const PoseGraph& graph) {
+    std::vector<std::string> all;
+    for (const auto& marker : ros_convert::graph_markers(graph.graph(), "map").markers) {
+      if (marker.ns == "indices") all.push_back(marker.text);
+    }
+    return all;
+  };
+  PoseGraph graph = short_graph();
+  EXPECT_EQ(indices(graph), std::vector<std::string>{});
+  graph.enable(2);
+  EXPECT_EQ(indices(graph), std::vector<std::string>{"2"});
+  graph.disable(2);
+  EXPECT_EQ(indices(graph), std::vector<std::string>{});
 }
 
 }  // namespace

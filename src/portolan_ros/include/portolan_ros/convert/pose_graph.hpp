@@ -29,7 +29,8 @@ nav_msgs::Path path(const Graph& graph, const std::string& map_frame);
 std::optional<UncertainPose> guess(const geometry_msgs::PoseWithCovariance& message);
 
 /// Arcs as lines, each kind in its colour: odometry grey, scan green, loop blue, given orange; what
-/// is rejected red and what is disabled dark. Keyframes as dots.
+/// is rejected red and what is disabled dark. Keyframes as dots. At each loop that can be taken out
+/// stands its index, in the namespace `indices`. They replace all markers before them.
 visualization_msgs::MarkerArray graph_markers(const Graph& graph, const std::string& map_frame);
 
 }  // namespace portolan::ros_convert
