@@ -64,7 +64,8 @@ class Stand:
         """The node, or it anew; it is heard from then on."""
         if self.node:
             self.node.close()
-        parameters = {"tf_wait": 1.0, "odom_topic": "odom", "diagnostic_period": 0.05,
+        # Topics need not wait for each other: the clock stands from one part to the next.
+        parameters = {"tf_wait": 1.0, "order_wait": 0.0, "odom_topic": "odom", "diagnostic_period": 0.05,
                       "map_directory": str(self.folder), **self.subject.parameters, **parameters}
         self.node = Node(self.namespace, self.program, parameters=parameters, preexec=ignore_full_files)
         rospy.wait_for_service(self.injector + "/inject")
